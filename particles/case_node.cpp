@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/case_node.hpp"
+
+#include "particles/errors.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace plenum {
+
+struct CaseNode::Builder {
+  std::shared_ptr<const std::string> fileName;
+
+  CaseNode build(const toml::node& node, const std::string& path) const {
+    CaseNode result;
+    result.path_ = path;
+    result.line_ = static_cast<int>(node.source().begin.line);
+    result.fileName_ = fileName;
+    if (const auto* table = node.as_table())
+      result.value_ = buildTable(*table, path);
+    else if (const auto* array = node.as_array())
+      result.value_ = buildArray(*array, path);
+    else if (const auto* text = node.as_string())
+      result.value_ = text->get();
+    else if (const auto* integer = node.as_integer())
+      result.value_ = integer->get();
+    else if (const auto* number = node.as_floating_point())
+      result.value_ = number->get();
+    else if (const auto* flag = node.as_boolean())
+      result.value_ = flag->get();
+    else
+      result.fail("dates and times have no meaning in a case file");
+    return result;
+  }
+
+ private:
+  Table buildTable(const toml::table& source, const std::string& path) const {
+    std::vector<std::pair<toml::source_position, std::pair<std::string, CaseNode>>> entries;
+    for (const auto& [key, node] : source) {
+      const std::string name(key.str());
+      CaseNode child = build(node, path.empty() ? name : path + "." + name);
+      if (child.line_ == 0) child.line_ = static_cast<int>(key.source().begin.line);
+      entries.push_back({key.source().begin, {name, std::move(child)}});
+    }
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    Table table;
+    for (auto& entry : entries) table.push_back(std::move(entry.second));
+    return table;
+  }
+
+  Array buildArray(const toml::array& source, const std::string& path) const {
+    Array array;
+    for (const auto& node : source)
+      array.push_back(build(node, fmt::format("{}[{}]", path, array.size())));
+    return array;
+  }
+};
+
+CaseNode CaseNode::parse(const std::string& text, const std::string& fileName) {
+  try {
+    const toml::table table = toml::parse(text, fileName);
+    return Builder{std::make_shared<const std::string>(fileName)}.build(table, "");
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: not valid TOML: {}", fileName, error.source().begin.line,
+                                 error.description()));
+  }
+}
+
+CaseNode CaseNode::load(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  if (!fs::exists(path)) throw InputError(path.string() + ": no such case file");
+  if (!fs::is_regular_file(path)) throw InputError(path.string() + ": not a file");
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw InputError(path.string() + ": cannot be read");
+  if (text.str().starts_with("\x89HDF"))
+    throw InputError(path.string() + ": is a particle file (HDF5); a case file (TOML) is needed");
+  return parse(text.str(), path.string());
+}
+
+void CaseNode::fail(const std::string& message) const {
+  const std::string where = line_ > 0 ? fmt::format("{}:{}", *fileName_, line_) : *fileName_;
+  const std::string what =
+      isTable() || isArray() || path_.empty() ? path_ : fmt::format("{} = {}", path_, printed());
+  throw InputError(what.empty() ? fmt::format("{}: {}", where, message)
+                                : fmt::format("{}: {}: {}", where, what, message));
+}
+
+std::string CaseNode::printed() const {
+  struct Printer {
+    std::string operator()(bool b) const { return b ? "true" : "false"; }
+    std::string operator()(std::int64_t i) const { return std::to_string(i); }
+    std::string operator()(double d) const { return fmt::format("{}", d); }
+    std::string operator()(const std::string& s) const { return '"' + s + '"'; }
+    std::string operator()(const Array& items) const {
+      std::string text;
+      for (const CaseNode& item : items) text += (text.empty() ? "" : ", ") + item.printed();
+      return "[" + text + "]";
+    }
+    std::string operator()(const Table& entries) const {
+      std::string text;
+      for (const auto& [key, node] : entries)
+        text += (text.empty() ? "" : ", ") + key + " = " + node.printed();
+      return "{ " + text + " }";
+    }
+  };
+  return std::visit(Printer{}, value_);
+}
+
+namespace {
+std::string wrongType(const CaseNode& node, const char* wanted) {
+  static constexpr const char* names[] = {"true or false", "an integer", "a number",
+                                          "a string",      "a list",     "a table"};
+  return fmt::format("is {}, must be {}", names[node.value().index()], wanted);
+}
+}  // namespace
+
+bool CaseNode::asBool() const {
+  if (const auto* flag = std::get_if<bool>(&value_)) return *flag;
+  fail(wrongType(*this, "true or false"));
+}
+
+std::int64_t CaseNode::asInteger() const {
+  if (const auto* integer = std::get_if<std::int64_t>(&value_)) return *integer;
+  fail(wrongType(*this, "an integer"));
+}
+
+double CaseNode::asNumber() const {
+  if (const auto* number = std::get_if<double>(&value_)) return *number;
+  if (const auto* integer = std::get_if<std::int64_t>(&value_))
+    return static_cast<double>(*integer);
+  fail(wrongType(*this, "a number"));
+}
+
+const std::string& CaseNode::asString() const {
+  if (const auto* text = std::get_if<std::string>(&value_)) return *text;
+  fail(wrongType(*this, "a string"));
+}
+
+const CaseNode::Array& CaseNode::asArray() const {
+  if (const auto* array = std::get_if<Array>(&value_)) return *array;
+  fail(wrongType(*this, "a list"));
+}
+
+const CaseNode::Table& CaseNode::asTable() const {
+  if (const auto* table = std::get_if<Table>(&value_)) return *table;
+  fail(wrongType(*this, "a table"));
+}
+
+const CaseNode* CaseNode::find(const std::string& key) const {
+  for (const auto& [name, node] : asTable())
+    if (name == key) return &node;
+  return nullptr;
+}
+
+void CaseNode::set(const std::string& key, const std::string& text) {
+  const std::string origin = fmt::format("--set {}={}", key, text);
+  const auto fileName = std::make_shared<const std::string>(origin);
+  CaseNode parsed;
+  try {
+    parsed = parse("value = " + text, origin);
+  } catch (const InputError&) {
+    parsed = parse("value = '" + text + "'", origin);
+  }
+  CaseNode* node = this;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t dot = key.find('.', begin);
+    const std::string name = key.substr(begin, dot - begin);
+    if (name.empty()) throw InputError(origin + ": an empty key; write --set section.key=value");
+    auto* table = std::get_if<Table>(&node->value_);
+    if (table == nullptr) node->fail("is not a table, so it has no key '" + name + "'");
+    auto entry = std::find_if(table->begin(), table->end(),
+                              [&](const auto& candidate) { return candidate.first == name; });
+    if (entry == table->end()) {
+      CaseNode child;
+      child.path_ = node->path_.empty() ? name : node->path_ + "." + name;
+      child.fileName_ = fileName;
+      entry = table->insert(table->end(), {name, std::move(child)});
+    }
+    node = &entry->second;
+    if (dot == std::string::npos) break;
+    begin = dot + 1;
+  }
+  node->value_ = parsed.find("value")->value_;
+  node->line_ = 0;
+  node->fileName_ = fileName;
+}
+
+}  // namespace plenum

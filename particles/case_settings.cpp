@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/case_settings.hpp"
+
+#include "particles/errors.hpp"
+#include "particles/kernels.hpp"
+
+namespace plenum {
+
+namespace {
+
+Section<DomainSettings> domainSection() {
+  Section<DomainSettings> section("the box around everything; needed for periodic axes only");
+  section.vector("lower", &DomainSettings::lower, "m", "lower corner").required();
+  section.vector("upper", &DomainSettings::upper, "m", "upper corner").required();
+  section.texts("periodic", &DomainSettings::periodicAxes, "axes that repeat", {"x", "y", "z"});
+  return section;
+}
+
+Section<ViscositySettings> viscositySection() {
+  Section<MonaghanSettings> monaghan("Monaghan's artificial viscosity Pi_ij (Monaghan 1992)");
+  monaghan.number("alpha", &MonaghanSettings::alpha, "", Range::notNegative(), "linear coefficient")
+      .number("beta", &MonaghanSettings::beta, "", Range::notNegative(), "quadratic coefficient");
+  Section<ViscositySettings> section("viscosity; absent: none");
+  section.section("monaghan", &ViscositySettings::monaghan, monaghan);
+  return section;
+}
+
+Section<CollisionSettings> collisionSection() {
+  Section<CollisionSettings> section(
+      "collisions of approaching particles, Kruisbrink et al. 2018 (4.20); absent: none");
+  section
+      .number("restitution", &CollisionSettings::restitution, "", Range::between(0, 1),
+              "C_R: 0 inelastic, 1 elastic")
+      .number("range", &CollisionSettings::range, "d_ref", Range::above(0, 2),
+              "delta_c: pairs closer than this collide; above 0.95 the order of the particles "
+              "suffers")
+      .text("pairs", &CollisionSettings::pairs, "which pairs collide", {"all", "fluid", "wall"});
+  return section;
+}
+
+Section<MeasureSettings> measureSection() {
+  Section<MeasureSettings> section("how the measures of history.csv are taken");
+  section.flag("free_surface", &MeasureSettings::freeSurface,
+               "holes count only between particles: within 2 d_ref in every quadrant");
+  return section;
+}
+
+}  // namespace
+
+const Section<SolverSettings>& solverSection() {
+  using S = SolverSettings;
+  static const Section<S> section =
+      Section<S>("physics and numerics of the run")
+          .text("kernel", &S::kernel, "smoothing kernel", KernelId::names())
+          .number("smoothing_length", &S::smoothingLength, "d_ref", Range::between(0.6, 6),
+                  "smoothing length h; the kernel's support is 2h")
+          .text("density", &S::density,
+                "sum over neighbours (2.2), or integrated by continuity (5.23) for free surfaces",
+                {"summation", "continuity"})
+          .text("momentum", &S::momentum,
+                "p/rho^2 form (2.3), (p+p)/(rho rho) form (5.24), or what matches the density",
+                {"matching", "density_squared", "density_product"})
+          .number("sound_speed", &S::soundSpeed, "m/s", Range::positive(),
+                  "c of the Tait equation of state (2.4)")
+          .number("background_pressure", &S::backgroundPressure, "Pa m^(3-d)", Range::any(),
+                  "p0 of the equation of state")
+          .number("tait_exponent", &S::taitExponent, "", Range::between(1, 20),
+                  "gamma of the equation of state")
+          .section("viscosity", &S::viscosity, viscositySection())
+          .section("collisions", &S::collisions, collisionSection())
+          .vector("gravity", &S::gravity, "m/s^2", "acceleration of gravity; absent: none")
+          .text("wall_pressure", &S::wallPressure,
+                "walls stay at p = 0 and their density, or follow the fluid's equations",
+                {"zero", "equation_of_state"})
+          .number("time_step", &S::timeStep, "s", Range::positive(),
+                  "fixed time step; absent: from cfl")
+          .number("cfl", &S::cfl, "", Range::above(0, 2),
+                  "time step = cfl min(h/(c + |v|), sqrt(h/|a|))")
+          .number("end_time", &S::endTime, "s", Range::notNegative(), "when the run ends");
+  return section;
+}
+
+const Section<OutputSettings>& outputSection() {
+  using S = OutputSettings;
+  static const Section<S> section =
+      Section<S>("what the run writes")
+          .number("every", &S::every, "s", Range::positive(), "time between VTU files")
+          .number("history_every", &S::historyEvery, "s", Range::positive(),
+                  "time between rows of history.csv; absent: as the VTU files")
+          .texts("fields", &S::fields, "fields in the VTU files; absent: all that are modelled")
+          .text("picture", &S::picture, "field that colours the pictures");
+  return section;
+}
+
+const Section<CaseSettings>& caseSection() {
+  using S = CaseSettings;
+  static const Section<S> section =
+      Section<S>("a case file")
+          .text("title", &S::title, "one line that says what the scene is")
+          .integer("dimension", &S::dimension, Range::between(1, 3), "1, 2 or 3")
+          .number("spacing", &S::spacing, "m", Range::positive(),
+                  "d_ref: nearest-neighbour distance on hexagonal, hcp, fcc and bcc lattices, edge "
+                  "on square and cubic ones")
+          .required()
+          .section("domain", &S::domain, domainSection())
+          .node("geometry", &S::geometry, "table", "named regions")
+          .node("fluid", &S::fluids, "list of tables", "fluids, each filling a region")
+          .required()
+          .node("wall", &S::walls, "list of tables", "walls, each behind a surface")
+          .text("container", &S::container,
+                "region in which fluid may be, for the measures; absent: where it starts")
+          .section("solver", &S::solver, solverSection())
+          .section("output", &S::output, outputSection())
+          .section("measures", &S::measures, measureSection());
+  return section;
+}
+
+CaseSettings readCase(const CaseNode& root) {
+  int dimension = 2;
+  if (const CaseNode* node = root.find("dimension")) {
+    dimension = static_cast<int>(node->asInteger());
+    section_detail::checkNumber(*node, dimension, Range::between(1, 3), "");
+  }
+  CaseSettings settings = caseSection().read(root, dimension);
+  if (settings.domain)
+    for (int a = 0; a < dimension; ++a) {
+      const auto axis = static_cast<std::size_t>(a);
+      if (settings.domain->upper[axis] <= settings.domain->lower[axis])
+        root.find("domain")->fail("upper must be above lower on every axis");
+    }
+  return settings;
+}
+
+}  // namespace plenum

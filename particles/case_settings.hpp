@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The case file as plain structs. `plenum-ic` reads all of it, `plenum-sph` the part that concerns
+// the run; geometry, fluids and walls are read by geometry/ and ictools/ from the nodes kept here.
+#pragma once
+
+#include "particles/case_node.hpp"
+#include "particles/section.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plenum {
+
+struct DomainSettings {
+  std::vector<double> lower;              ///< [m]
+  std::vector<double> upper;              ///< [m]
+  std::vector<std::string> periodicAxes;  ///< of "x", "y", "z"
+};
+
+struct MonaghanSettings {
+  double alpha = 0.1;
+  double beta = 0;
+};
+
+struct ViscositySettings {
+  std::optional<MonaghanSettings> monaghan;
+};
+
+struct CollisionSettings {
+  double restitution = 0.01;  ///< C_R
+  double range = 0.85;        ///< delta_c, in d_ref
+  std::string pairs = "all";
+};
+
+struct SolverSettings {
+  std::string kernel = "wendland_c2";
+  double smoothingLength = 1.5;  ///< h / d_ref
+  std::string density = "summation";
+  std::string momentum = "matching";
+  double soundSpeed = 10;         ///< [m/s]
+  double backgroundPressure = 0;  ///< p0 [Pa m^(3-d)]
+  double taitExponent = 1;        ///< gamma
+  std::optional<ViscositySettings> viscosity;
+  std::optional<CollisionSettings> collisions;
+  std::vector<double> gravity;  ///< [m/s^2]; empty: none
+  std::string wallPressure = "zero";
+  std::optional<double> timeStep;  ///< fixed [s]; absent: from cfl
+  double cfl = 0.2;
+  double endTime = 1;  ///< [s]
+};
+
+struct OutputSettings {
+  double every = 0.1;                  ///< of VTU files [s]
+  std::optional<double> historyEvery;  ///< of rows of history.csv [s]; absent: `every`
+  std::vector<std::string> fields;     ///< empty: all state fields
+  std::string picture = "velocity";    ///< field that colours the pictures
+};
+
+struct MeasureSettings {
+  bool freeSurface = false;
+};
+
+struct CaseSettings {
+  std::string title;
+  int dimension = 2;
+  double spacing = 0;  ///< d_ref [m]
+  std::optional<DomainSettings> domain;
+  std::optional<CaseNode> geometry;
+  std::optional<CaseNode> fluids;
+  std::optional<CaseNode> walls;
+  std::string container;  ///< name of the region in which fluid may be; "": where fluid starts
+  std::optional<SolverSettings> solver;
+  std::optional<OutputSettings> output;
+  std::optional<MeasureSettings> measures;
+
+  SolverSettings solverOrDefaults() const { return solver.value_or(SolverSettings{}); }
+  OutputSettings outputOrDefaults() const { return output.value_or(OutputSettings{}); }
+  MeasureSettings measuresOrDefaults() const { return measures.value_or(MeasureSettings{}); }
+};
+
+/// The declarations of the sections above, for reading, help and docs.
+const Section<SolverSettings>& solverSection();
+const Section<OutputSettings>& outputSection();
+const Section<CaseSettings>& caseSection();
+
+/// Throws InputError for anything that is wrong in the parts that are read here.
+CaseSettings readCase(const CaseNode& root);
+
+}  // namespace plenum

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The field table: every quantity a particle may carry, with its unit and rank. It alone drives
+// allocation, sorting, particle files and VTU output; a new field is one line here.
+#pragma once
+
+#include "particles/vec.hpp"
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+
+namespace plenum {
+
+enum class Rank : std::uint8_t {
+  scalar,  ///< double
+  vector,  ///< Vec<Dim>
+  label,   ///< std::int32_t
+  id       ///< std::uint64_t
+};
+
+/// Which particles carry a field: its array has that many entries.
+enum class Scope : std::uint8_t { all, fluid, walls };
+
+enum class FieldId : std::uint8_t {
+  position,
+  velocity,
+  mass,
+  density,
+  pressure,
+  smoothingLength,
+  internalEnergy,
+  id,
+  material,
+  wall,
+  normal,
+  wallDistance,
+  densityRate,
+  acceleration,
+  velocityChange,
+  count
+};
+
+inline constexpr std::size_t nFields = static_cast<std::size_t>(FieldId::count);
+
+struct FieldInfo {
+  FieldId id;
+  std::string_view name;      ///< in messages, VTU files and `--help`
+  std::string_view fileName;  ///< dataset name in /PartType0 (GADGET's where it has one)
+  std::string_view unit;      ///< SI; d is the dimension
+  Rank rank;
+  Scope scope;
+  bool isState;  ///< written to files; rates and changes are scratch of a step
+  std::string_view description;
+};
+
+inline constexpr std::array<FieldInfo, nFields> fieldTable{{
+    {FieldId::position, "position", "Coordinates", "m", Rank::vector, Scope::all, true,
+     "particle position"},
+    {FieldId::velocity, "velocity", "Velocities", "m/s", Rank::vector, Scope::all, true,
+     "particle velocity"},
+    {FieldId::mass, "mass", "Masses", "kg/m^(3-d)", Rank::scalar, Scope::all, true,
+     "particle mass"},
+    {FieldId::density, "density", "Density", "kg/m^d", Rank::scalar, Scope::all, true,
+     "mass density"},
+    {FieldId::pressure, "pressure", "Pressure", "Pa m^(3-d)", Rank::scalar, Scope::all, true,
+     "pressure"},
+    {FieldId::smoothingLength, "smoothing_length", "SmoothingLength", "m", Rank::scalar, Scope::all,
+     true, "smoothing length h; the kernel's support is 2h"},
+    {FieldId::internalEnergy, "internal_energy", "InternalEnergy", "J/kg", Rank::scalar, Scope::all,
+     true, "specific internal energy"},
+    {FieldId::id, "id", "ParticleIDs", "", Rank::id, Scope::all, true,
+     "unique number; walls come first"},
+    {FieldId::material, "material", "MaterialIDs", "", Rank::label, Scope::fluid, true,
+     "row of the fluid in /Plenum/Materials; -1 in walls' rows of files"},
+    {FieldId::wall, "wall", "WallIDs", "", Rank::label, Scope::walls, true,
+     "row of the wall in /Plenum/Walls; -1 in fluids' rows of files"},
+    {FieldId::normal, "normal", "Normals", "", Rank::vector, Scope::walls, true,
+     "unit normal of the nearest wall surface, into the fluid; zero in fluids"},
+    {FieldId::wallDistance, "wall_distance", "WallDistances", "m", Rank::scalar, Scope::walls, true,
+     "depth of a wall particle behind its surface; zero in fluids"},
+    {FieldId::densityRate, "density_rate", "DensityRates", "kg/(m^d s)", Rank::scalar, Scope::all,
+     false, "rate of change of density"},
+    {FieldId::acceleration, "acceleration", "Accelerations", "m/s^2", Rank::vector, Scope::fluid,
+     false, "acceleration"},
+    {FieldId::velocityChange, "velocity_change", "VelocityChanges", "m/s", Rank::vector,
+     Scope::fluid, false, "change of velocity by collisions in this step"},
+}};
+
+constexpr const FieldInfo& infoOf(FieldId id) { return fieldTable[static_cast<std::size_t>(id)]; }
+
+constexpr std::optional<FieldId> fieldNamed(std::string_view name) {
+  for (const FieldInfo& info : fieldTable)
+    if (info.name == name) return info.id;
+  return std::nullopt;
+}
+
+/// A field whose rank is known to the compiler: `particles[field::density]` is a span of doubles.
+template <Rank R>
+struct Field {
+  FieldId id;
+  constexpr operator FieldId() const { return id; }
+};
+
+namespace field {
+inline constexpr Field<Rank::vector> position{FieldId::position};
+inline constexpr Field<Rank::vector> velocity{FieldId::velocity};
+inline constexpr Field<Rank::scalar> mass{FieldId::mass};
+inline constexpr Field<Rank::scalar> density{FieldId::density};
+inline constexpr Field<Rank::scalar> pressure{FieldId::pressure};
+inline constexpr Field<Rank::scalar> smoothingLength{FieldId::smoothingLength};
+inline constexpr Field<Rank::scalar> internalEnergy{FieldId::internalEnergy};
+inline constexpr Field<Rank::id> id{FieldId::id};
+inline constexpr Field<Rank::label> material{FieldId::material};
+inline constexpr Field<Rank::label> wall{FieldId::wall};
+inline constexpr Field<Rank::vector> normal{FieldId::normal};
+inline constexpr Field<Rank::scalar> wallDistance{FieldId::wallDistance};
+inline constexpr Field<Rank::scalar> densityRate{FieldId::densityRate};
+inline constexpr Field<Rank::vector> acceleration{FieldId::acceleration};
+inline constexpr Field<Rank::vector> velocityChange{FieldId::velocityChange};
+}  // namespace field
+
+/// A set of fields, usable at compile time.
+class FieldSet {
+ public:
+  constexpr FieldSet() = default;
+  constexpr FieldSet(std::initializer_list<FieldId> ids) {
+    for (FieldId id : ids) bits_ |= bit(id);
+  }
+  constexpr bool has(FieldId id) const { return (bits_ & bit(id)) != 0; }
+  constexpr bool empty() const { return bits_ == 0; }
+  constexpr FieldSet operator|(FieldSet other) const { return fromBits(bits_ | other.bits_); }
+  constexpr FieldSet& operator|=(FieldSet other) { return *this = *this | other; }
+  constexpr FieldSet without(FieldSet other) const { return fromBits(bits_ & ~other.bits_); }
+  constexpr bool operator==(const FieldSet&) const = default;
+
+ private:
+  static constexpr std::uint32_t bit(FieldId id) { return 1u << static_cast<unsigned>(id); }
+  static constexpr FieldSet fromBits(std::uint32_t bits) {
+    FieldSet set;
+    set.bits_ = bits;
+    return set;
+  }
+  std::uint32_t bits_ = 0;
+};
+
+namespace detail {
+template <Rank R, int Dim>
+struct ValueOf;
+template <int Dim>
+struct ValueOf<Rank::scalar, Dim> {
+  using type = double;
+};
+template <int Dim>
+struct ValueOf<Rank::vector, Dim> {
+  using type = Vec<Dim>;
+};
+template <int Dim>
+struct ValueOf<Rank::label, Dim> {
+  using type = std::int32_t;
+};
+template <int Dim>
+struct ValueOf<Rank::id, Dim> {
+  using type = std::uint64_t;
+};
+}  // namespace detail
+
+/// The C++ type of one particle's value of a field of rank R.
+template <Rank R, int Dim>
+using ValueOf = typename detail::ValueOf<R, Dim>::type;
+
+}  // namespace plenum

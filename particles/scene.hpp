@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a particle file holds: the particles and everything the solver must know about them.
+#pragma once
+
+#include "particles/box.hpp"
+#include "particles/container_map.hpp"
+#include "particles/particle_set.hpp"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plenum {
+
+/// A fluid's reference state.
+struct Material {
+  std::string name;
+  double density = 1;  ///< reference density rho_0 [kg/m^d]
+};
+
+/// Rigid motion x' = velocity + angularVelocity x (x - center); in 2-D only the third component of
+/// the angular velocity counts.
+struct RigidMotion {
+  std::array<double, 3> velocity{};         ///< [m/s]
+  std::array<double, 3> angularVelocity{};  ///< [rad/s]
+  std::array<double, 3> center{};           ///< at t = 0 [m]
+
+  bool isStill() const {
+    constexpr std::array<double, 3> zero{};
+    return velocity == zero && angularVelocity == zero;
+  }
+};
+
+struct Wall {
+  std::string name;
+  std::string method;    ///< "lattice" or "conformal"
+  int layers = 0;        ///< thickness / spacing, as asked for
+  double thickness = 0;  ///< depth to which particles stand behind the surface [m]
+  double density = 1;    ///< [kg/m^d]
+  RigidMotion motion;
+};
+
+/// Everything about a scene but its particles.
+template <int Dim>
+struct SceneInfo {
+  std::string title;
+  std::string caseName;        ///< path of the case file as given
+  std::string caseText;        ///< the whole case file
+  std::string generator;       ///< program and version that wrote the file
+  double time = 0;             ///< [s]
+  double spacing = 0;          ///< d_ref [m]
+  std::string kernel;          ///< that the set was made for; the solver may choose another
+  double smoothingLength = 0;  ///< h [m]
+  Box<Dim> domain;             ///< periodic axes are exact; open axes just contain all particles
+  std::vector<Material> materials;
+  std::vector<Wall> walls;
+  ContainerMap<Dim> container;                          ///< the region in which fluid may be
+  std::vector<std::pair<std::string, double>> quality;  ///< named figures of the particle set
+};
+
+template <int Dim>
+struct Scene {
+  SceneInfo<Dim> info;
+  ParticleSet<Dim> particles;
+};
+
+}  // namespace plenum
