@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/measures.hpp"
+
+#include "engine/cell_grid.hpp"
+#include "engine/ordered_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plenum {
+
+namespace {
+
+constexpr double nearestRange = 2.5;  // d_ref; where the search for a neighbour ends
+constexpr std::size_t nShell = 6;     // neighbours of psi_6
+
+/// The nearest neighbours of a particle, by distance; no allocation.
+template <int Dim>
+struct Shell {
+  std::array<double, nShell> distanceSquared;
+  std::array<Vec<Dim>, nShell> offset;
+  std::size_t count = 0;
+
+  void insert(double d2, const Vec<Dim>& d) {
+    if (count == nShell && d2 >= distanceSquared[nShell - 1]) return;
+    std::size_t k = count < nShell ? count++ : nShell - 1;
+    for (; k > 0 && distanceSquared[k - 1] > d2; --k) {
+      distanceSquared[k] = distanceSquared[k - 1];
+      offset[k] = offset[k - 1];
+    }
+    distanceSquared[k] = d2;
+    offset[k] = d;
+  }
+};
+
+/// Points in a grid of cells, with a search around any place.
+template <int Dim>
+class PointSearch {
+ public:
+  PointSearch(std::span<const Vec<Dim>> points, const Box<Dim>& domain, double radius)
+      : domain_(domain), radiusSquared_(radius * radius) {
+    points_.reserve(points.size());
+    for (const Vec<Dim>& x : points) points_.push_back(domain.wrap(x));
+    grid_.reshape(domain, radius, 4 * points.size() + 64);
+    grid_.sort(points_);
+  }
+
+  /// visit(index, x_index - x, distance squared) for all points within the radius.
+  template <class Visit>
+  void around(const Vec<Dim>& x, Visit&& visit) const {
+    grid_.forEachRange(domain_.wrap(x), [&](std::uint32_t first, std::uint32_t last) {
+      for (std::uint32_t place = first; place < last; ++place) {
+        const std::uint32_t j = grid_.order()[place];
+        const Vec<Dim> d = domain_.nearestImage(points_[j] - x);
+        const double d2 = normSquared(d);
+        if (d2 < radiusSquared_) visit(j, d, d2);
+      }
+    });
+  }
+
+ private:
+  Box<Dim> domain_;
+  double radiusSquared_;
+  std::vector<Vec<Dim>> points_;
+  CellGrid<Dim> grid_;
+};
+
+struct SpacingSums {
+  double nearest = 0, below01 = 0, below05 = 0, below085 = 0, psi6 = 0, nPsi6 = 0;
+  double minNearest = std::numeric_limits<double>::infinity();
+
+  SpacingSums& operator+=(const SpacingSums& b) {
+    nearest += b.nearest;
+    below01 += b.below01;
+    below05 += b.below05;
+    below085 += b.below085;
+    psi6 += b.psi6;
+    nPsi6 += b.nPsi6;
+    minNearest = std::min(minNearest, b.minNearest);
+    return *this;
+  }
+};
+
+double psi6Of(const Shell<2>& shell) {
+  double re = 0, im = 0;
+  for (const Vec<2>& d : shell.offset) {
+    const double angle = 6 * std::atan2(d[1], d[0]);
+    re += std::cos(angle);
+    im += std::sin(angle);
+  }
+  return std::hypot(re, im) / nShell;
+}
+
+template <int Dim>
+SpacingSums sumsOf(const Shell<Dim>& shell, double spacing) {
+  SpacingSums s;
+  s.nearest = shell.count > 0 ? std::sqrt(shell.distanceSquared[0]) / spacing : nearestRange;
+  s.minNearest = s.nearest;
+  s.below01 = s.nearest < 0.1;
+  s.below05 = s.nearest < 0.5;
+  s.below085 = s.nearest < 0.85;
+  if constexpr (Dim == 2)
+    if (shell.count == nShell) {
+      s.psi6 = psi6Of(shell);
+      s.nPsi6 = 1;
+    }
+  return s;
+}
+
+/// The grid of sampling points over a box, at about `wanted` [m].
+template <int Dim>
+struct SampleGrid {
+  std::array<std::size_t, Dim> shape;
+  Vec<Dim> lower, edge;
+  std::size_t size = 1;
+
+  SampleGrid(const Box<Dim>& box, double wanted) : lower(box.lower) {
+    for (int a = 0; a < Dim; ++a) {
+      const double length = box.upper[a] - box.lower[a];
+      const auto n = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(length / wanted)));
+      shape[static_cast<std::size_t>(a)] = n;
+      edge[a] = length / static_cast<double>(n);
+      size *= n;
+    }
+  }
+
+  Vec<Dim> point(std::size_t index) const {
+    Vec<Dim> x;
+    for (int a = 0; a < Dim; ++a) {
+      const std::size_t n = shape[static_cast<std::size_t>(a)];
+      x[a] = lower[a] + edge[a] * (static_cast<double>(index % n) + 0.5);
+      index /= n;
+    }
+    return x;
+  }
+};
+
+struct VoidSums {
+  double points = 0, holes = 0;
+  VoidSums& operator+=(const VoidSums& b) {
+    points += b.points;
+    holes += b.holes;
+    return *this;
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+SpacingMeasures measureSpacing(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
+                               double spacing) {
+  const auto fluid = particles[field::position].first(particles.nFluid());
+  const PointSearch<Dim> search(fluid, domain, nearestRange * spacing);
+  const auto sums = orderedSum<SpacingSums>(fluid.size(), [&](std::size_t i) {
+    Shell<Dim> shell;
+    search.around(fluid[i], [&](std::uint32_t j, const Vec<Dim>& d, double d2) {
+      if (j != i) shell.insert(d2, d);
+    });
+    return sumsOf(shell, spacing);
+  });
+  const auto n = static_cast<double>(fluid.size());
+  SpacingMeasures m;
+  m.minNearest = sums.minNearest;
+  m.meanNearest = sums.nearest / n;
+  m.below01 = sums.below01 / n;
+  m.below05 = sums.below05 / n;
+  m.below085 = sums.below085 / n;
+  m.psi6 = sums.nPsi6 > 0 ? sums.psi6 / sums.nPsi6 : 0;
+  return m;
+}
+
+template <int Dim>
+double measureVoids(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info,
+                    bool freeSurface) {
+  constexpr unsigned allOrthants = (1u << (1u << Dim)) - 1;  // one bit an orthant
+  const double spacing = info.spacing;
+  const PointSearch<Dim> search(particles[field::position], info.domain,
+                                (freeSurface ? 2 : 1) * spacing);
+  const SampleGrid<Dim> grid(info.container.empty() ? info.domain : info.container.bounds(),
+                             spacing / 3);
+  const auto sums = orderedSum<VoidSums>(grid.size, [&](std::size_t k) {
+    const Vec<Dim> x = grid.point(k);
+    VoidSums s;
+    if (info.container.signedDistance(x) >= 0) return s;
+    double nearest = std::numeric_limits<double>::infinity();
+    unsigned orthants = 0;
+    search.around(x, [&](std::uint32_t, const Vec<Dim>& d, double d2) {
+      nearest = std::min(nearest, d2);
+      unsigned orthant = 0;
+      for (int a = 0; a < Dim; ++a) orthant |= (d[a] > 0 ? 1u : 0u) << a;
+      orthants |= 1u << orthant;
+    });
+    if (freeSurface && orthants != allOrthants) return s;
+    s.points = 1;
+    s.holes = nearest > spacing * spacing;
+    return s;
+  });
+  return sums.points > 0 ? sums.holes / sums.points : 0;
+}
+
+template <int Dim>
+std::size_t countLeft(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info) {
+  if (info.container.empty()) return 0;
+  const auto fluid = particles[field::position].first(particles.nFluid());
+  return orderedSum<std::size_t>(fluid.size(), [&](std::size_t i) -> std::size_t {
+    return info.container.signedDistance(info.domain.wrap(fluid[i])) > 0.5 * info.spacing;
+  });
+}
+
+template SpacingMeasures measureSpacing<1>(const ParticleSet<1>&, const Box<1>&, double);
+template SpacingMeasures measureSpacing<2>(const ParticleSet<2>&, const Box<2>&, double);
+template SpacingMeasures measureSpacing<3>(const ParticleSet<3>&, const Box<3>&, double);
+template double measureVoids<1>(const ParticleSet<1>&, const SceneInfo<1>&, bool);
+template double measureVoids<2>(const ParticleSet<2>&, const SceneInfo<2>&, bool);
+template double measureVoids<3>(const ParticleSet<3>&, const SceneInfo<3>&, bool);
+template std::size_t countLeft<1>(const ParticleSet<1>&, const SceneInfo<1>&);
+template std::size_t countLeft<2>(const ParticleSet<2>&, const SceneInfo<2>&);
+template std::size_t countLeft<3>(const ParticleSet<3>&, const SceneInfo<3>&);
+
+}  // namespace plenum

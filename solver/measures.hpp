@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is measured of a state. The definitions are the same everywhere: history.csv,
+// summary.json, charts and tests.
+#pragma once
+
+#include "particles/scene.hpp"
+
+namespace plenum {
+
+/// Order of the fluid particles. Distances are to the nearest other fluid particle, in units of
+/// d_ref; a particle that has none within 2.5 d_ref counts as 2.5.
+struct SpacingMeasures {
+  double minNearest = 0;   ///< min nn
+  double meanNearest = 0;  ///< mean nn
+  double below01 = 0;      ///< f.1: share of particles with nn < 0.1
+  double below05 = 0;      ///< f.5
+  double below085 = 0;     ///< f.85
+  double psi6 = 0;         ///< mean |psi_6| over the six nearest neighbours, 2-D only
+};
+
+template <int Dim>
+SpacingMeasures measureSpacing(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
+                               double spacing);
+
+/// void1: share of the points of a grid (spacing d_ref/3) in the container that are further than
+/// d_ref from any particle, walls included. With a free surface only those points count that have
+/// particles within 2 d_ref in all quadrants (octants in 3-D).
+template <int Dim>
+double measureVoids(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info,
+                    bool freeSurface);
+
+/// Fluid particles further than d_ref/2 outside the container.
+template <int Dim>
+std::size_t countLeft(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info);
+
+}  // namespace plenum

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/preflight.hpp"
+
+#include "particles/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace plenum {
+
+namespace {
+
+template <int Dim>
+void checkFields(const ParticleSet<Dim>& particles) {
+  FieldSet needed{field::position, field::velocity, field::mass, field::density, field::id};
+  if (particles.nWalls() > 0) needed |= {field::wall, field::normal};
+  for (const FieldInfo& info : fieldTable)
+    if (needed.has(info.id) && !particles.has(info.id))
+      throw InputError(fmt::format("the particle file has no {} ({}); generate it with plenum-ic",
+                                   info.name, info.fileName));
+}
+
+template <int Dim>
+void checkValues(const ParticleSet<Dim>& particles) {
+  const auto ids = particles[field::id];
+  const auto refuse = [&](std::size_t i, const char* what, double value) {
+    throw InputError(fmt::format("particle {}: {} = {:g}; generate the particle file anew", ids[i],
+                                 what, value));
+  };
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    for (int a = 0; a < Dim; ++a) {
+      const double x = particles[field::position][i][a], v = particles[field::velocity][i][a];
+      if (!std::isfinite(x)) refuse(i, "position", x);
+      if (!std::isfinite(v)) refuse(i, "velocity", v);
+    }
+    const double mass = particles[field::mass][i], density = particles[field::density][i];
+    if (!(mass > 0 && std::isfinite(mass))) refuse(i, "mass", mass);
+    if (!(density > 0 && std::isfinite(density))) refuse(i, "density", density);
+  }
+}
+
+/// Fluid may touch the surface, so a wall must be as thick as the support of the kernel.
+template <int Dim>
+void checkCoverage(const SceneInfo<Dim>& info, const SolverSettings& settings) {
+  const double support = 2 * settings.smoothingLength * info.spacing;
+  std::string thin;
+  for (const Wall& wall : info.walls) {
+    const int missing =
+        static_cast<int>(std::ceil((support - wall.thickness) / info.spacing - 1e-6));
+    if (missing <= 0) continue;
+    thin += fmt::format("{}wall \"{}\" is {:g} m thick, {} layer{} of {:g} m short",
+                        thin.empty() ? "" : "; ", wall.name, wall.thickness, missing,
+                        missing == 1 ? "" : "s", info.spacing);
+  }
+  if (!thin.empty())
+    throw InputError(fmt::format(
+        "{}: the kernel's support is 2 x {:g} d_ref = {:g} m. Give these walls more layers in the "
+        "case, or run with a smaller solver.smoothing_length",
+        thin, settings.smoothingLength, support));
+}
+
+}  // namespace
+
+template <int Dim>
+void checkBeforeRun(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particles,
+                    const SolverSettings& settings) {
+  if (particles.nFluid() == 0) throw InputError("the particle file has no fluid particle");
+  checkFields(particles);
+  checkValues(particles);
+  checkCoverage(info, settings);
+  if (settings.collisions && settings.collisions->range > 2 * settings.smoothingLength)
+    throw InputError(fmt::format(
+        "solver.collisions.range = {:g} d_ref: must not exceed the kernel's support, {:g} d_ref",
+        settings.collisions->range, 2 * settings.smoothingLength));
+}
+
+template void checkBeforeRun<1>(const SceneInfo<1>&, const ParticleSet<1>&, const SolverSettings&);
+template void checkBeforeRun<2>(const SceneInfo<2>&, const ParticleSet<2>&, const SolverSettings&);
+template void checkBeforeRun<3>(const SceneInfo<3>&, const ParticleSet<3>&, const SolverSettings&);
+
+}  // namespace plenum
