@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/atomic_file.hpp"
+#include "particles/errors.hpp"
+#include "particles/file_rows.hpp"
+#include "particles/finite.hpp"
+#include "particles/gadget_box.hpp"
+#include "particles/particle_file.hpp"
+#include "particles/scene_info_file.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace plenum {
+
+namespace {
+
+using hdf5::Group;
+
+void writeUnits(const Group& units) {
+  units.setAttribute("Unit length in cgs (U_L)", 100.0);
+  units.setAttribute("Unit mass in cgs (U_M)", 1000.0);
+  units.setAttribute("Unit time in cgs (U_t)", 1.0);
+  units.setAttribute("Unit current in cgs (U_I)", 1.0);
+  units.setAttribute("Unit temperature in cgs (U_T)", 1.0);
+}
+
+void writeHeader(const Group& header, int dimension, std::size_t n, double time,
+                 const GadgetBox& box) {
+  const std::array<std::uint32_t, 6> low{static_cast<std::uint32_t>(n)};
+  const std::array<std::uint32_t, 6> high{static_cast<std::uint32_t>(std::uint64_t{n} >> 32)};
+  const std::array<std::int64_t, 6> here{static_cast<std::int64_t>(n)};
+  const std::array<double, 6> noMasses{};
+  header.setAttribute<std::int32_t>("Dimension", dimension);
+  header.setAttributes<double>("BoxSize", box.size);
+  header.setAttributes<std::uint32_t>("NumPart_Total", low);
+  header.setAttributes<std::uint32_t>("NumPart_Total_HighWord", high);
+  header.setAttributes<std::int64_t>("NumPart_ThisFile", here);
+  header.setAttributes<double>("MassTable", noMasses);
+  header.setAttribute<std::int32_t>("Flag_Entropy_ICs", 0);
+  header.setAttribute<std::int32_t>("NumFilesPerSnapshot", 1);
+  header.setAttribute("Time", time);
+  header.setAttribute("Redshift", 0.0);
+}
+
+void describe(const Group& group, const FieldInfo& info) {
+  const std::string name(info.fileName);
+  group.setText("Unit", std::string(info.unit), name);
+  group.setText("Description", std::string(info.description), name);
+}
+
+/// What GADGET's readers need although this set does not carry it.
+template <int Dim>
+void writeAbsent(const Group& group, const Scene<Dim>& scene) {
+  const ParticleSet<Dim>& particles = scene.particles;
+  const std::size_t n = particles.size();
+  for (FieldId id : {FieldId::velocity, FieldId::mass, FieldId::density, FieldId::internalEnergy,
+                     FieldId::smoothingLength, FieldId::id}) {
+    if (particles.has(id)) continue;
+    const FieldInfo& info = infoOf(id);
+    const std::string name(info.fileName);
+    if (id == FieldId::id) {
+      std::vector<std::uint64_t> ids(n);
+      const auto fluidsEnd = ids.begin() + static_cast<std::ptrdiff_t>(particles.nFluid());
+      std::iota(fluidsEnd, ids.end(), std::uint64_t{1});
+      std::iota(ids.begin(), fluidsEnd, std::uint64_t{particles.nWalls() + 1});
+      group.write<std::uint64_t>(name, ids);
+    } else {
+      const int columns = info.rank == Rank::vector ? 3 : 1;
+      const double value = id == FieldId::smoothingLength ? scene.info.smoothingLength : 0.0;
+      group.write<double>(name, std::vector<double>(n * static_cast<std::size_t>(columns), value),
+                          columns);
+    }
+    describe(group, info);
+  }
+}
+
+/// Writes /PartType0 and returns the names of its datasets but Coordinates.
+template <int Dim>
+std::vector<std::string> writeParticles(const Group& group, const Scene<Dim>& scene,
+                                        std::span<const double> coordinates) {
+  const ParticleSet<Dim>& particles = scene.particles;
+  std::vector<std::string> names{"Velocities",     "Masses",          "Density",
+                                 "InternalEnergy", "SmoothingLength", "ParticleIDs"};
+  group.write<double>("Coordinates", coordinates, 3);
+  describe(group, infoOf(FieldId::position));
+  particles.forEachField([&](const FieldInfo& info, auto values) {
+    if (!info.isState || info.id == FieldId::position) return;
+    const auto rows = rowsOf(particles, info, values);
+    const std::string name(info.fileName);
+    group.write(name, rows.values, rows.components);
+    describe(group, info);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  });
+  writeAbsent(group, scene);
+  group.write<std::uint8_t>("ParticleTypes", particleTypes(particles));
+  group.setText("Description", "0 fluid, 1 wall", "ParticleTypes");
+  names.push_back("ParticleTypes");
+  group.setText("KernelName", scene.info.kernel, "SmoothingLength");
+  group.setAttribute("SupportOverH", supportOverH, "SmoothingLength");
+  return names;
+}
+
+/// One vertex cell a particle, arrays shared with /PartType0.
+template <int Dim>
+void writeVtk(const Group& vtk, const Group& partType0, const ParticleSet<Dim>& particles,
+              const std::vector<std::string>& names, bool ownPoints) {
+  const auto n = static_cast<std::int64_t>(particles.size());
+  vtk.setAttributes<std::int64_t>("Version", std::array<std::int64_t, 2>{1, 0});
+  vtk.setFixedText("Type", "UnstructuredGrid");
+  for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
+    vtk.write<std::int64_t>(name, std::array<std::int64_t, 1>{n});
+  std::vector<std::int64_t> offsets(particles.size() + 1);
+  std::iota(offsets.begin(), offsets.end(), std::int64_t{0});
+  vtk.write<std::int64_t>("Offsets", offsets);
+  vtk.write<std::int64_t>("Connectivity", std::span(offsets).first(particles.size()));
+  vtk.write<std::uint8_t>("Types", std::vector<std::uint8_t>(particles.size(), 1));
+  if (ownPoints) {
+    const auto rows = rowsOf(particles, infoOf(FieldId::position), particles[field::position]);
+    vtk.write("Points", rows.values, 3);
+    vtk.setText("Unit", "m", "Points");
+  } else {
+    vtk.link("Points", partType0, "Coordinates");
+  }
+  const Group pointData = vtk.create("PointData");
+  for (const std::string& name : names) pointData.link(name, partType0, name);
+}
+
+template <int Dim>
+void writePlenum(const Group& plenum, const Scene<Dim>& scene, const GadgetBox& box) {
+  const ParticleSet<Dim>& particles = scene.particles;
+  std::vector<std::string> fields;
+  particles.forEachField([&](const FieldInfo& info, const auto&) {
+    if (info.isState) fields.emplace_back(info.name);
+  });
+  plenum.setAttribute<std::int32_t>("SchemaVersion", particleFileSchema);
+  plenum.setAttribute<std::int32_t>("Dimension", Dim);
+  plenum.setAttribute<std::uint64_t>("NumberOfFluids", particles.nFluid());
+  plenum.setAttribute<std::uint64_t>("NumberOfWalls", particles.nWalls());
+  plenum.setTexts("Fields", fields);
+  plenum.setAttributes<double>("Shift", box.shift);
+  writeSceneInfo(plenum, scene.info);
+}
+
+template <int Dim>
+void checkWritable(const std::filesystem::path& path, const Scene<Dim>& scene) {
+  const ParticleSet<Dim>& particles = scene.particles;
+  if (particles.size() == 0 || !particles.has(FieldId::position))
+    throw InputError(path.string() +
+                     ": not written: there are no particles; a smaller spacing "
+                     "or a larger region makes some");
+  if (const auto found = firstNotFinite(particles))
+    throw RunError(fmt::format("{}: not written: {} of {} is not finite", path.string(),
+                               found->field, found->particle));
+  for (int a = 0; a < Dim; ++a)
+    if (scene.info.domain.isPeriodic(a) && !(scene.info.domain.extent()[a] > 0))
+      throw InputError(fmt::format("{}: not written: the periodic axis {} has no length",
+                                   path.string(), "xyz"[a]));
+}
+
+}  // namespace
+
+template <int Dim>
+void writeParticleFile(const std::filesystem::path& path, const Scene<Dim>& scene) {
+  checkWritable(path, scene);
+  AtomicFile file(path);
+  const GadgetBox box = gadgetBox(scene);
+  auto hdf = hdf5::File::create(file.temporaryPath(), path);
+  {
+    const Group& root = hdf.root();
+    writeHeader(root.create("Header"), Dim, scene.particles.size(), scene.info.time, box);
+    writeUnits(root.create("Units"));
+    const Group partType0 = root.create("PartType0");
+    bool shifted = false;
+    const auto names = writeParticles(partType0, scene, gadgetCoordinates(scene, box, shifted));
+    writeVtk(root.create("VTKHDF"), partType0, scene.particles, names, shifted);
+    writePlenum(root.create("Plenum"), scene, box);
+  }
+  hdf.close();
+  file.commit();
+}
+
+template void writeParticleFile(const std::filesystem::path&, const Scene<1>&);
+template void writeParticleFile(const std::filesystem::path&, const Scene<2>&);
+template void writeParticleFile(const std::filesystem::path&, const Scene<3>&);
+
+}  // namespace plenum
