@@ -10,7 +10,10 @@
 
 namespace plenum {
 
-/// The point of a surface that is nearest to a query point.
+/// The point of a surface that is nearest to a query point. At edges and corners a surface has many
+/// normals: the one given points from (or, from inside, to) the query point, so that
+/// query = point + signedDistance normal holds everywhere; it is the gradient of the signed
+/// distance.
 template <int Dim>
 struct SurfacePoint {
   Vec<Dim> point;             ///< on the surface [m]

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/geometry.hpp"
+#include "geometry/placement.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace plenum {
+
+/// How a file becomes a region.
+template <int Dim>
+struct FileOptions {
+  /// Largest distance between the represented surface and the file's curved one [m], after scaling;
+  /// absent: `defaultTolerance` times the diagonal of the file's bounds.
+  std::optional<double> tolerance;
+  Placement<Dim> placement;
+
+  static constexpr double defaultTolerance = 1e-4;
+};
+
+/// Reads a region, by the file's ending:
+///   2-D: .wkt, .txt, .xy, .dat (polygon, see polygon_file.hpp), .geo, .step, .stp, .brep, .msh
+///   3-D: .stl, .obj, .off, .ply (closed triangle mesh), .geo, .step, .stp, .brep, .msh
+/// Throws InputError that names the file, what is wrong, where, and the remedy.
+template <int Dim>
+GeometryPtr<Dim> readGeometryFile(const std::filesystem::path& path,
+                                  const FileOptions<Dim>& options = {});
+
+}  // namespace plenum

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/geometry.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace plenum {
+
+namespace {
+constexpr std::size_t chunkLength = 64;  // on the stack: queries allocate nothing
+}
+
+template <int Dim>
+void Geometry<Dim>::signedDistance(std::span<const Vec<Dim>> points,
+                                   std::span<double> result) const {
+  std::array<SurfacePoint<Dim>, chunkLength> hits;
+  for (std::size_t begin = 0; begin < points.size(); begin += chunkLength) {
+    const std::size_t n = std::min(chunkLength, points.size() - begin);
+    closest(points.subspan(begin, n), std::span(hits).first(n));
+    for (std::size_t k = 0; k < n; ++k) result[begin + k] = hits[k].signedDistance;
+  }
+}
+
+template <int Dim>
+void Geometry<Dim>::inside(std::span<const Vec<Dim>> points, std::span<std::uint8_t> result) const {
+  std::array<double, chunkLength> distances;
+  for (std::size_t begin = 0; begin < points.size(); begin += chunkLength) {
+    const std::size_t n = std::min(chunkLength, points.size() - begin);
+    signedDistance(points.subspan(begin, n), std::span(distances).first(n));
+    for (std::size_t k = 0; k < n; ++k) result[begin + k] = distances[k] < 0 ? 1 : 0;
+  }
+}
+
+template <int Dim>
+bool Geometry<Dim>::isInside(const Vec<Dim>& point) const {
+  std::uint8_t result = 0;
+  inside(std::span(&point, 1), std::span(&result, 1));
+  return result != 0;
+}
+
+template <int Dim>
+double Geometry<Dim>::signedDistance(const Vec<Dim>& point) const {
+  double result = 0;
+  signedDistance(std::span(&point, 1), std::span(&result, 1));
+  return result;
+}
+
+template <int Dim>
+SurfacePoint<Dim> Geometry<Dim>::closest(const Vec<Dim>& point) const {
+  SurfacePoint<Dim> result;
+  closest(std::span(&point, 1), std::span(&result, 1));
+  return result;
+}
+
+template class Geometry<1>;
+template class Geometry<2>;
+template class Geometry<3>;
+
+}  // namespace plenum

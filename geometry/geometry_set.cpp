@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/geometry_set.hpp"
+
+#include "geometry/set_operation.hpp"
+#include "geometry/shape_keys.hpp"
+#include "particles/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace plenum {
+
+namespace {
+
+/// Makes regions in the order in which they are needed; entries may refer to later ones.
+template <int Dim>
+class Builder {
+ public:
+  Builder(const CaseNode& table, const std::filesystem::path& caseFolder)
+      : table_(table), caseFolder_(caseFolder) {}
+
+  GeometryPtr<Dim> region(const std::string& name, const CaseNode& entry) {
+    if (const auto done = done_.find(name); done != done_.end()) return done->second;
+    if (std::ranges::find(underWay_, name) != underWay_.end())
+      entry.fail(fmt::format("refers to itself: {} -> {}; break the circle",
+                             fmt::join(underWay_, " -> "), name));
+    underWay_.push_back(name);
+    const std::string key = keyOf(shapeNodeOf(entry, Dim));
+    const bool isOperation = key == "union" || key == "intersection" || key == "difference";
+    GeometryPtr<Dim> result =
+        isOperation ? operation(entry, key) : makeRegion<Dim>(entry, caseFolder_);
+    underWay_.pop_back();
+    return done_[name] = result;
+  }
+
+ private:
+  GeometryPtr<Dim> operation(const CaseNode& entry, const std::string& key) {
+    const EntryKeys keys = entrySection().read(entry, Dim);
+    const CaseNode& node = *entry.find(key);
+    if (keys.tolerance) entry.find("tolerance")->fail("concerns files only; remove it");
+    if (node.asArray().size() < (key == "difference" ? 2 : 1))
+      node.fail(key == "difference" ? "needs two regions or more: the first without the others"
+                                    : "needs the names of regions");
+    std::vector<GeometryPtr<Dim>> parts;
+    for (const CaseNode& name : node.asArray()) parts.push_back(named(name));
+    try {
+      if (key == "union") return placedAs(keys, unionOf(parts));
+      if (key == "intersection") return placedAs(keys, intersectionOf(parts));
+      return placedAs(keys, differenceOf(parts));
+    } catch (const InputError& error) {
+      node.fail(error.what());
+    }
+  }
+
+  GeometryPtr<Dim> named(const CaseNode& name) {
+    if (const CaseNode* entry = table_.find(name.asString()))
+      return region(name.asString(), *entry);
+    std::vector<std::string> known;
+    for (const auto& [other, entry] : table_.asTable()) known.push_back(other);
+    failUnknown(name, known);
+  }
+
+ public:
+  [[noreturn]] static void failUnknown(const CaseNode& name,
+                                       const std::vector<std::string>& known) {
+    const std::string near = nearest(name.asString(), known);
+    name.fail("there is no region of that name in [geometry]" +
+              (near.empty() ? fmt::format("; known: {}", fmt::join(known, ", "))
+                            : "; did you mean \"" + near + "\"?"));
+  }
+
+ private:
+  const CaseNode& table_;
+  const std::filesystem::path& caseFolder_;
+  std::map<std::string, GeometryPtr<Dim>> done_;
+  std::vector<std::string> underWay_;
+};
+
+}  // namespace
+
+template <int Dim>
+GeometrySet<Dim> GeometrySet<Dim>::read(const CaseNode& geometryTable,
+                                        const std::filesystem::path& caseFolder) {
+  GeometrySet set;
+  Builder<Dim> builder(geometryTable, caseFolder);
+  for (const auto& [name, entry] : geometryTable.asTable()) {
+    set.names_.push_back(name);
+    set.regions_.push_back(builder.region(name, entry));
+  }
+  return set;
+}
+
+template <int Dim>
+const GeometryPtr<Dim>& GeometrySet<Dim>::find(const CaseNode& name) const {
+  const auto found = std::ranges::find(names_, name.asString());
+  if (found == names_.end()) Builder<Dim>::failUnknown(name, names_);
+  return regions_[static_cast<std::size_t>(found - names_.begin())];
+}
+
+template <int Dim>
+GeometryPtr<Dim> GeometrySet<Dim>::find(const std::string& name) const {
+  const auto found = std::ranges::find(names_, name);
+  if (found == names_.end()) return nullptr;
+  return regions_[static_cast<std::size_t>(found - names_.begin())];
+}
+
+std::vector<SectionDoc> geometryDocs() {
+  SectionDoc entry = entrySection().doc("geometry.<name>");
+  entry.inner.push_back(rotationSection().doc("rotate"));
+  return {entry};
+}
+
+template class GeometrySet<1>;
+template class GeometrySet<2>;
+template class GeometrySet<3>;
+
+}  // namespace plenum
