@@ -9,8 +9,8 @@
 namespace plenum {
 
 struct VtuOptions {
-  double time = 0;                 ///< [s], as field data TimeValue
-  std::optional<FieldSet> fields;  ///< what to write; absent: all state fields of the set
+  double time = 0;                      ///< [s], as field data TimeValue
+  std::optional<FieldSet> fields = {};  ///< what to write; absent: all state fields of the set
 };
 
 /// Writes particles for ParaView and meshio: a .vtu file with one vertex cell a particle, points

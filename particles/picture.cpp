@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/picture.hpp"
+
+#include "particles/errors.hpp"
+#include "particles/picture_frame.hpp"
+#include "particles/picture_projection.hpp"
+#include "particles/picture_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace plenum {
+
+namespace {
+
+/// Names and colours of the labels that occur.
+std::vector<std::pair<std::string, Colour>> categoriesOf(const PictureValues& values,
+                                                         const std::vector<std::string>& labels) {
+  std::vector<std::pair<std::string, Colour>> categories;
+  if (!values.isCategory || values.name == "type") return categories;
+  std::set<int> numbers;
+  for (const auto* part : {&values.fluid, &values.walls})
+    for (double value : *part) numbers.insert(static_cast<int>(value));
+  for (int k : numbers) {
+    const bool isNamed = k >= 0 && static_cast<std::size_t>(k) < labels.size();
+    categories.emplace_back(isNamed ? labels[static_cast<std::size_t>(k)] : std::to_string(k),
+                            categoryColour(k));
+    if (categories.size() == 30) break;  // no picture has room for more
+  }
+  return categories;
+}
+
+template <int Dim>
+FrameText frameText(const ParticleSet<Dim>& particles, const PictureOptions<Dim>& options,
+                    const PictureValues& values, std::size_t nOutside) {
+  FrameText text;
+  text.title = options.title.empty() ? "Particles" : options.title;
+  text.info = fmt::format("t = {:.6g} s    {} fluid", options.time, particles.nFluid());
+  if (particles.nWalls() > 0) text.info += fmt::format(", {} wall", particles.nWalls());
+  text.info += particles.size() == 1 ? " particle" : " particles";
+  if (nOutside > 0) text.info += fmt::format("    {} outside the picture", nOutside);
+  text.showsWalls = particles.nWalls() > 0 && values.walls.empty();
+  text.barName = values.name;
+  text.barUnit = values.unit;
+  text.hasBar = !values.isCategory && !(values.fluid.empty() && values.walls.empty());
+  text.categories = categoriesOf(values, options.labels);
+  return text;
+}
+
+/// Colour of every particle.
+template <int Dim>
+std::vector<Colour> coloursOf(const ParticleSet<Dim>& particles, const PictureValues& values,
+                              const ColourScale& scale) {
+  std::vector<Colour> colours(particles.size(), wallGrey);
+  const auto nFluid = static_cast<std::ptrdiff_t>(particles.nFluid());
+  if (values.fluid.empty())
+    std::fill_n(colours.begin(), nFluid, paleGrey);
+  else
+    std::transform(values.fluid.begin(), values.fluid.end(), colours.begin(), scale);
+  std::transform(values.walls.begin(), values.walls.end(), colours.begin() + nFluid, scale);
+  return colours;
+}
+
+/// The view with some room around, so that no disk at the rim is cut.
+template <int Dim>
+Box<Dim> viewOf(const ParticleSet<Dim>& particles, const PictureOptions<Dim>& options,
+                double diameter) {
+  if (!options.view) return defaultView(particles, options.container).grown(diameter);
+  for (int a = 0; a < Dim; ++a)
+    if (!(options.view->upper[a] > options.view->lower[a]) || !options.view->isFinite())
+      throw InputError(fmt::format("view: upper must be above lower on the axis {}", "xyz"[a]));
+  return *options.view;
+}
+
+void stampAll(PictureFrame& frame, const PlaneDots& dots, const std::vector<Colour>& colours,
+              double diameter, bool shaded) {
+  int stride = 0;
+  std::uint32_t* pixels = frame.canvas().pixels(stride);
+  const DiskStamp stamp(diameter, shaded);
+  for (const PlaneDots::Dot& dot : dots.dots)
+    stamp.draw(pixels, stride, frame.plot(), frame.toX(dot.x), frame.toY(dot.y),
+               colours[dot.particle]);
+  frame.canvas().pixelsDone();
+}
+
+/// Smallest disk that still shows its colour [px].
+constexpr double leastDiameter = 1.8;
+
+template <int Dim>
+double diameterOf(const ParticleSet<Dim>& particles, const PictureOptions<Dim>& options) {
+  return options.spacing > 0 ? options.spacing : estimatedSpacing(particles, options.container);
+}
+
+/// 1-D: the field against x.
+void drawGraph(const std::filesystem::path& path, const ParticleSet<1>& particles,
+               const PictureOptions<1>& options) {
+  const PictureValues values = pictureValues(particles, options.field, true);
+  const Box<1> box = viewOf(particles, options, diameterOf(particles, options));
+  ColourScale scale = scaleFor(values);
+  if (options.range) std::tie(scale.lower, scale.upper) = *options.range;
+  const double range = scale.upper - scale.lower;
+  const double room = range > 0 ? 0.06 * range : std::max(0.5 * std::fabs(scale.upper), 0.5);
+  const PlaneView view{box.lower[0], box.upper[0], scale.lower - room, scale.upper + room};
+
+  PlaneDots dots;
+  std::vector<Colour> colours(particles.size(),
+                              values.fluid.empty() ? paleGrey : sequentialColour(0.25));
+  std::fill(colours.begin() + static_cast<std::ptrdiff_t>(particles.nFluid()), colours.end(),
+            wallGrey);
+  const auto positions = particles[field::position];
+  for (std::size_t k = particles.size(); k-- > 0;) {  // walls first, fluids above them
+    const bool isFluid = k < particles.nFluid();
+    const auto& part = isFluid ? values.fluid : values.walls;
+    const double value = part.empty() ? scale.lower : part[isFluid ? k : k - particles.nFluid()];
+    if (!box.contains(positions[k]) || !(value >= view.bottom && value <= view.top))
+      ++dots.nOutside;
+    else
+      dots.dots.push_back({positions[k][0], value, 0, static_cast<std::uint32_t>(k)});
+  }
+  FrameText text = frameText(particles, options, values, dots.nOutside);
+  text.hasBar = false;
+  text.categories.clear();
+  text.showsWalls = particles.nWalls() > 0;
+  text.xName = std::string(1, 'x');
+  text.yName = values.name;
+  text.yUnit = values.unit;
+  PictureFrame frame(view, text, scale, options.width, true);
+  const double diameter =
+      std::clamp(options.width / 2.0 / static_cast<double>(particles.size()), 4.0, 7.0);
+  frame.draw();
+  stampAll(frame, dots, colours, diameter, false);
+  frame.canvas().save(path);
+}
+
+/// 2-D, and slices of 3-D: disks in the plane.
+template <int Dim>
+void drawPlane(const std::filesystem::path& path, const ParticleSet<Dim>& particles,
+               const PictureOptions<Dim>& options, int horizontal, int vertical) {
+  const PictureValues values = pictureValues(particles, options.field, false);
+  ColourScale scale = scaleFor(values);
+  if (options.range) std::tie(scale.lower, scale.upper) = *options.range;
+  const double diameter = diameterOf(particles, options);
+  const Box<Dim> box = viewOf(particles, options, diameter);
+  Box<Dim> shown = box;
+  if (options.slice) {
+    const double half = (options.slice->thickness > 0 ? options.slice->thickness : diameter) / 2;
+    shown.lower[options.slice->axis] = options.slice->position - half;
+    shown.upper[options.slice->axis] = options.slice->position + half;
+  }
+  const PlaneDots dots = dotsInPlane(particles, box, shown, horizontal, vertical);
+  FrameText text = frameText(particles, options, values, dots.nOutside);
+  if (options.slice)
+    text.info += fmt::format("    slice at {} = {:.6g} m", "xyz"[options.slice->axis],
+                             options.slice->position);
+  text.xName = std::string(1, "xyz"[horizontal]);
+  text.yName = std::string(1, "xyz"[vertical]);
+  PictureFrame frame(
+      {box.lower[horizontal], box.upper[horizontal], box.lower[vertical], box.upper[vertical]},
+      text, scale, options.width, false);
+  frame.draw();
+  stampAll(frame, dots, coloursOf(particles, values, scale),
+           std::max(leastDiameter, diameter * frame.pixelsPerUnit()), false);
+  frame.canvas().save(path);
+}
+
+/// 3-D: lit balls, the nearest drawn last.
+void drawSpace(const std::filesystem::path& path, const ParticleSet<3>& particles,
+               const PictureOptions<3>& options) {
+  const PictureValues values = pictureValues(particles, options.field, false);
+  ColourScale scale = scaleFor(values);
+  if (options.range) std::tie(scale.lower, scale.upper) = *options.range;
+  const double diameter = diameterOf(particles, options);
+  const Box<3> box = viewOf(particles, options, diameter);
+  const PlaneDots dots = dotsInSpace(particles, box);
+  FrameText text = frameText(particles, options, values, dots.nOutside);
+  if (dots.leavesWallsOut) text.info += "    walls in front of the fluid left out";
+  const SpaceAxes axes(box, options.width);
+  PictureFrame frame(axes.view(), text, scale, options.width, false);
+  frame.draw();
+  axes.draw(frame);
+  stampAll(frame, dots, coloursOf(particles, values, scale),
+           std::max(leastDiameter, diameter * frame.pixelsPerUnit()), true);
+  frame.canvas().save(path);
+}
+
+}  // namespace
+
+template <int Dim>
+PictureOptions<Dim> pictureOptions(const SceneInfo<Dim>& info, const std::string& field) {
+  PictureOptions<Dim> options;
+  options.field = field;
+  options.title = info.title;
+  options.time = info.time;
+  options.spacing = info.spacing;
+  options.container = containerBounds(info);
+  if (field == "material")
+    for (const Material& material : info.materials) options.labels.push_back(material.name);
+  if (field == "wall")
+    for (const Wall& wall : info.walls) options.labels.push_back(wall.name);
+  return options;
+}
+
+template <int Dim>
+void drawParticles(const std::filesystem::path& path, const ParticleSet<Dim>& particles,
+                   const PictureOptions<Dim>& options) {
+  if (particles.size() == 0 || !particles.has(FieldId::position))
+    throw InputError(path.string() + ": not drawn: there are no particles");
+  if constexpr (Dim == 1) {
+    drawGraph(path, particles, options);
+  } else if constexpr (Dim == 2) {
+    drawPlane(path, particles, options, 0, 1);
+  } else if (options.slice) {
+    if (options.slice->axis < 0 || options.slice->axis > 2)
+      throw InputError("slice: the axis must be x, y or z");
+    drawPlane(path, particles, options, options.slice->axis == 0 ? 1 : 0,
+              options.slice->axis == 2 ? 1 : 2);
+  } else {
+    drawSpace(path, particles, options);
+  }
+}
+
+template PictureOptions<1> pictureOptions(const SceneInfo<1>&, const std::string&);
+template PictureOptions<2> pictureOptions(const SceneInfo<2>&, const std::string&);
+template PictureOptions<3> pictureOptions(const SceneInfo<3>&, const std::string&);
+template void drawParticles(const std::filesystem::path&, const ParticleSet<1>&,
+                            const PictureOptions<1>&);
+template void drawParticles(const std::filesystem::path&, const ParticleSet<2>&,
+                            const PictureOptions<2>&);
+template void drawParticles(const std::filesystem::path&, const ParticleSet<3>&,
+                            const PictureOptions<3>&);
+
+}  // namespace plenum
