@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ictools/fluids.hpp"
+
+#include "ictools/random.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plenum {
+
+namespace {
+
+constexpr double maxParticles = 2147483648.0;  // 2^31: particles are numbered with 32 bits
+
+const char* axisName(int axis) {
+  static constexpr const char* names[] = {"x", "y", "z"};
+  return names[axis];
+}
+
+template <int Dim>
+void checkBounds(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, const Warn& warn) {
+  const CaseNode& node = at(fluid.settings.node, "region");
+  if (!fluid.region) {
+    for (int a = 0; a < Dim; ++a)
+      if (!frame.domain.isPeriodic(a))
+        node.fail(
+            fmt::format("fluid \"{}\" has no region and axis {} is not periodic; name a region "
+                        "or list the axis in domain.periodic",
+                        fluid.settings.name, axisName(a)));
+    return;
+  }
+  const Box<Dim> bounds = fluid.region->bounds();
+  for (int a = 0; a < Dim; ++a) {
+    if (!frame.domain.isPeriodic(a)) {
+      if (!std::isfinite(bounds.lower[a]) || !std::isfinite(bounds.upper[a]))
+        node.fail(
+            fmt::format("the region is infinite along {}; intersect it with a box", axisName(a)));
+      if (!(bounds.lower[a] < bounds.upper[a]))
+        node.fail("the region is empty: " + fluid.region->describe());
+      continue;
+    }
+    const double beyond =
+        std::max(frame.domain.lower[a] - bounds.lower[a], bounds.upper[a] - frame.domain.upper[a]);
+    if (!(beyond > surfaceRoundOff * frame.spacing)) continue;
+    const char* exactKey = fluid.settings.mass == "exact"       ? "mass"
+                           : fluid.settings.lattice == "random" ? "lattice"
+                                                                : nullptr;
+    if (exactKey != nullptr)
+      at(fluid.settings.node, exactKey)
+          .fail(
+              fmt::format("the region reaches beyond the periodic faces along {}, so its volume is "
+                          "not the fluid's; end it there, or use a lattice and mass = \"cell\"",
+                          axisName(a)));
+    if (std::isfinite(beyond))
+      warn(
+          fmt::format("fluid \"{}\": its region reaches {:g} m beyond the periodic faces along {}; "
+                      "that part is cut off",
+                      fluid.settings.name, beyond, axisName(a)));
+  }
+}
+
+/// Too many particles are found out before memory is asked for.
+template <int Dim>
+void checkCount(const FluidFill<Dim>& fluid) {
+  const double volume = std::min(fluid.volume.value, fluid.box.volume());
+  if (!(volume > 0))
+    at(fluid.settings.node, "region")
+        .fail("the region is empty: " +
+              (fluid.region ? fluid.region->describe() : std::string("domain")));
+  const double expected = volume / fluid.lattice.cellVolume();
+  if (expected < maxParticles) return;
+  at(fluid.settings.node, "region")
+      .fail(fmt::format(
+          "would hold {:.3g} particles, more than 2^31; a spacing of at least {:.3g} m "
+          "is needed (are the lengths in metres?)",
+          expected, fluid.lattice.edges()[0] * std::pow(expected / maxParticles, 1.0 / Dim)));
+}
+
+/// Uniform points strictly inside the region, seeded.
+template <int Dim>
+std::vector<Vec<Dim>> randomPoints(const FluidFill<Dim>& fluid, double roundOff) {
+  const double wanted = std::round(fluid.volume.value / fluid.lattice.cellVolume());
+  const auto n = static_cast<std::size_t>(wanted);
+  Random random(static_cast<std::uint64_t>(fluid.settings.seed));
+  std::vector<Vec<Dim>> points;
+  std::vector<Vec<Dim>> trial;
+  while (points.size() < n) {
+    trial.clear();
+    for (std::size_t k = points.size(); k < n; ++k) trial.push_back(random.pointIn(fluid.box));
+    std::vector<double> distance(trial.size(), -1);
+    if (fluid.region) distance = signedDistances<Dim>(*fluid.region, trial);
+    for (std::size_t k = 0; k < trial.size(); ++k)
+      if (distance[k] < -roundOff || !fluid.region) points.push_back(trial[k]);
+  }
+  return points;
+}
+
+/// True if every place around x, at a small distance along axes and diagonals, lies in some fluid.
+template <int Dim>
+bool isSurrounded(const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
+                  const Vec<Dim>& x) {
+  const double step = 1e-3 * frame.spacing;
+  int nSteps = 1;
+  for (int a = 0; a < Dim; ++a) nSteps *= 3;
+  for (int s = 0; s < nSteps; ++s) {
+    Vec<Dim> y = x;
+    for (int a = 0, rest = s; a < Dim; ++a, rest /= 3) y[a] += (rest % 3 - 1) * step;
+    if (y == x) continue;
+    y = frame.domain.wrap(y);
+    if (std::none_of(fluids.begin(), fluids.end(),
+                     [&](const auto& fluid) { return fluid.region->isInside(y); }))
+      return false;
+  }
+  return true;
+}
+
+/// Lattice points on the surface that have fluid all around and that no earlier fluid has.
+template <int Dim>
+std::vector<Vec<Dim>> seamPoints(const std::vector<FluidFill<Dim>>& fluids, std::size_t k,
+                                 const SceneFrame<Dim>& frame) {
+  if (fluids.size() == 1 && !frame.domain.anyPeriodic()) return {};
+  for (const auto& fluid : fluids)
+    if (!fluid.region) return {};  // it has the whole domain
+  const double roundOff = surfaceRoundOff * frame.spacing;
+  auto points =
+      latticePoints(fluids[k].lattice, fluids[k].box, *fluids[k].region, {-roundOff, roundOff});
+  std::erase_if(points, [&](const Vec<Dim>& x) {
+    for (std::size_t earlier = 0; earlier < k; ++earlier)
+      if (fluids[earlier].region->signedDistance(x) <= roundOff) return true;
+    return !isSurrounded(fluids, frame, x);
+  });
+  return points;
+}
+
+/// Removes the points inside earlier fluids.
+template <int Dim>
+void leaveToEarlier(std::vector<FluidFill<Dim>>& fluids, std::size_t k, double roundOff) {
+  FluidFill<Dim>& fluid = fluids[k];
+  const std::size_t before = fluid.points.size();
+  for (std::size_t earlier = 0; earlier < k; ++earlier) {
+    if (!fluids[earlier].region) {
+      fluid.points.clear();
+      break;
+    }
+    const auto distance = signedDistances<Dim>(*fluids[earlier].region, fluid.points);
+    std::size_t n = 0;
+    std::erase_if(fluid.points, [&](const Vec<Dim>&) { return distance[n++] < -roundOff; });
+  }
+  fluid.nCovered = before - fluid.points.size();
+  if (fluid.nCovered > 0 && fluid.settings.mass == "exact")
+    at(fluid.settings.node, "mass")
+        .fail(
+            fmt::format("fluid \"{}\" overlaps an earlier one, so the volume of its region is not "
+                        "its own; make its region a difference or use mass = \"cell\"",
+                        fluid.settings.name));
+}
+
+/// Adds noise; a point that it would carry through the surface stays.
+template <int Dim>
+void jitter(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame) {
+  if (fluid.settings.jitter == 0) return;
+  const double amplitude = fluid.settings.jitter * frame.spacing;
+  Random random(static_cast<std::uint64_t>(fluid.settings.seed));
+  const Box<Dim> cube{Vec<Dim>::filled(-amplitude), Vec<Dim>::filled(amplitude), {}};
+  std::vector<Vec<Dim>> moved = fluid.points;
+  for (Vec<Dim>& x : moved) x = frame.domain.wrap(x + random.pointIn(cube));
+  std::vector<double> distance(moved.size(), -1);
+  if (fluid.region) distance = signedDistances<Dim>(*fluid.region, moved);
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    if (distance[k] < 0) fluid.points[k] = moved[k];
+}
+
+template <int Dim>
+void checkNotEmpty(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame) {
+  if (!fluid.points.empty()) return;
+  const CaseNode& node = at(fluid.settings.node, "region");
+  if (fluid.nCovered > 0)
+    node.fail("gets no particle: earlier fluids cover all of it; change their order or regions");
+  const Vec<Dim> extent = fluid.box.extent();
+  double smallest = extent[0];
+  for (int a = 1; a < Dim; ++a) smallest = std::min(smallest, extent[a]);
+  node.fail(
+      fmt::format("gets no particle: its bounds are {:g} m in the shortest direction, the "
+                  "spacing is {:g} m; a smaller spacing is needed",
+                  smallest, frame.spacing));
+}
+
+}  // namespace
+
+template <int Dim>
+FluidFill<Dim> prepareFluid(const FluidSettings& settings, GeometryPtr<Dim> region,
+                            const SceneFrame<Dim>& frame, const Warn& warn) {
+  const std::string& lattice =
+      settings.lattice == "random" ? latticeNames(Dim).front() : settings.lattice;
+  FluidFill<Dim> fluid{
+      settings, std::move(region), {}, Lattice<Dim>(lattice, frame.spacing), {}, {}, 0, 0};
+  checkBounds(fluid, frame, warn);
+  fluid.box = fluid.region ? frame.clipped(fluid.region->bounds()) : frame.domain;
+  fluid.volume = fluid.region ? fluid.region->volume() : Measure{frame.domain.volume(), 0};
+  checkCount(fluid);
+  if (settings.lattice != "random") fluid.lattice.fitTo(frame.domain);
+  if (settings.latticeOrigin.empty()) {
+    fluid.lattice.startAt(fluid.box.lower);
+  } else {
+    Vec<Dim> origin;
+    for (int a = 0; a < Dim; ++a) origin[a] = settings.latticeOrigin[static_cast<std::size_t>(a)];
+    fluid.lattice.placeAt(origin);
+  }
+  return fluid;
+}
+
+template <int Dim>
+void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame) {
+  const double roundOff = surfaceRoundOff * frame.spacing;
+  for (std::size_t k = 0; k < fluids.size(); ++k) {
+    FluidFill<Dim>& fluid = fluids[k];
+    if (fluid.settings.lattice == "random") {
+      fluid.points = randomPoints(fluid, roundOff);
+    } else if (!fluid.region) {
+      fluid.points = latticePoints(fluid.lattice, fluid.box);
+    } else {
+      fluid.points = latticePoints(fluid.lattice, fluid.box, *fluid.region, {.upper = -roundOff});
+      for (const Vec<Dim>& x : seamPoints(fluids, k, frame)) fluid.points.push_back(x);
+    }
+    leaveToEarlier(fluids, k, roundOff);
+    checkNotEmpty(fluid, frame);
+    jitter(fluid, frame);
+    fluid.particleVolume = fluid.settings.mass == "exact"
+                               ? fluid.volume.value / static_cast<double>(fluid.points.size())
+                               : fluid.lattice.cellVolume();
+  }
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> allPoints(const std::vector<FluidFill<Dim>>& fluids) {
+  std::vector<Vec<Dim>> points;
+  for (const auto& fluid : fluids)
+    points.insert(points.end(), fluid.points.begin(), fluid.points.end());
+  return points;
+}
+
+template FluidFill<1> prepareFluid(const FluidSettings&, GeometryPtr<1>, const SceneFrame<1>&,
+                                   const Warn&);
+template void fillFluids(std::vector<FluidFill<1>>&, const SceneFrame<1>&);
+template std::vector<Vec<1>> allPoints(const std::vector<FluidFill<1>>&);
+template FluidFill<2> prepareFluid(const FluidSettings&, GeometryPtr<2>, const SceneFrame<2>&,
+                                   const Warn&);
+template void fillFluids(std::vector<FluidFill<2>>&, const SceneFrame<2>&);
+template std::vector<Vec<2>> allPoints(const std::vector<FluidFill<2>>&);
+template FluidFill<3> prepareFluid(const FluidSettings&, GeometryPtr<3>, const SceneFrame<3>&,
+                                   const Warn&);
+template void fillFluids(std::vector<FluidFill<3>>&, const SceneFrame<3>&);
+template std::vector<Vec<3>> allPoints(const std::vector<FluidFill<3>>&);
+
+}  // namespace plenum

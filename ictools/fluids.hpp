@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/geometry.hpp"
+#include "ictools/fill.hpp"
+#include "ictools/ic_settings.hpp"
+#include "ictools/scene_frame.hpp"
+
+#include <vector>
+
+namespace plenum {
+
+/// A fluid with the places of its particles.
+template <int Dim>
+struct FluidFill {
+  FluidSettings settings;
+  GeometryPtr<Dim> region;  ///< null: the whole periodic domain
+  Box<Dim> box;             ///< that contains it; periodic axes as in the domain
+  Lattice<Dim> lattice;     ///< for `random` the closest packing that it has the density of
+  std::vector<Vec<Dim>> points;
+  Measure volume;             ///< of the region [m^d]
+  double particleVolume = 0;  ///< [m^d]
+  std::size_t nCovered = 0;   ///< places left to an earlier fluid
+};
+
+/// Checks a fluid and sets up its lattice: fitted to periodic axes, at its origin or by the
+/// half-spacing rule. Throws InputError for a region that is infinite, empty, or holds more than
+/// 2^31 particles.
+template <int Dim>
+FluidFill<Dim> prepareFluid(const FluidSettings& settings, GeometryPtr<Dim> region,
+                            const SceneFrame<Dim>& frame, const Warn& warn);
+
+/// Puts particles into all fluids. A fluid has the lattice points inside its region and outside of
+/// the regions of earlier fluids. A point on the surface (fill.hpp) is left out, unless fluid lies
+/// all around it: on the face between two fluids (the first one has it) or on a periodic face.
+/// `random`: as many points as the closest packing has in the region's volume, uniform, seeded.
+/// Throws InputError for a region that gets no particle.
+template <int Dim>
+void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame);
+
+/// Particles of a fluid, or of all, in one list.
+template <int Dim>
+std::vector<Vec<Dim>> allPoints(const std::vector<FluidFill<Dim>>& fluids);
+
+}  // namespace plenum

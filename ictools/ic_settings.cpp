@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ictools/ic_settings.hpp"
+
+#include "geometry/geometry_set.hpp"
+#include "ictools/lattice.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace plenum {
+
+namespace {
+
+Section<HydrostaticSettings> hydrostaticSection() {
+  using S = HydrostaticSettings;
+  Section<S> section("pressure p = p_surface + rho |g| depth, density from the equation of state");
+  section
+      .number("surface", &S::surface, "m", Range::any(), "height of the surface, against gravity")
+      .required()
+      .number("pressure_at_surface", &S::pressureAtSurface, "Pa m^(3-d)", Range::any(),
+              "p_surface; absent: solver.background_pressure");
+  return section;
+}
+
+Section<RotationSettings> rotationSection() {
+  using S = RotationSettings;
+  Section<S> section("rigid rotation, counter-clockwise seen against the axis");
+  section.number("rpm", &S::rpm, "1/min", Range::any(), "turns per minute")
+      .number("omega", &S::omega, "rad/s", Range::any(), "angular velocity, instead of rpm")
+      .vector("center", &S::center, "m", "a point on the axis; absent: the origin")
+      .vector("axis", &S::axis, "", "direction, 3-D only; absent: z");
+  return section;
+}
+
+std::vector<std::string> allLattices() {
+  std::vector<std::string> names;
+  for (int dimension = 1; dimension <= 3; ++dimension)
+    for (const std::string& name : latticeNames(dimension)) names.push_back(name);
+  names.push_back("random");
+  return names;
+}
+
+/// Gives nameless tables a name and refuses a name that is taken.
+template <class Settings>
+void nameAll(std::vector<Settings>& all, const std::string& kind) {
+  const auto taken = [&](const std::string& name) {
+    return std::count_if(all.begin(), all.end(), [&](const auto& s) { return s.name == name; });
+  };
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (all[k].name.empty()) {
+      std::string name = all[k].region;
+      if constexpr (requires { all[k].outside; }) name += all[k].outside;
+      if (name.empty()) name = kind;
+      all[k].name = taken(name) == 0 ? name : fmt::format("{} {}", name, k + 1);
+    }
+  for (const Settings& settings : all)
+    if (taken(settings.name) > 1)
+      at(settings.node, "name").fail("another " + kind + " has that name; names must differ");
+}
+
+void checkFluid(const FluidSettings& fluid, int dimension) {
+  const std::vector<std::string>& known = latticeNames(dimension);
+  if (fluid.lattice != "random" &&
+      std::find(known.begin(), known.end(), fluid.lattice) == known.end())
+    at(fluid.node, "lattice")
+        .fail(fmt::format("does not exist in {} dimension{}; choose {} or random", dimension,
+                          dimension == 1 ? "" : "s", fmt::join(known, ", ")));
+  if (fluid.lattice == "random" && !fluid.latticeOrigin.empty())
+    at(fluid.node, "lattice_origin").fail("a random set has no origin; leave it out");
+  if (fluid.pressure && fluid.hydrostatic)
+    at(fluid.node, "pressure").fail("excludes hydrostatic; give one of them");
+}
+
+void checkWall(const WallSettings& wall, int dimension) {
+  if (wall.region.empty() == wall.outside.empty())
+    wall.node.fail(
+        "needs either region = \"the solid\" or outside = \"the region that it encloses\"");
+  if (wall.pressure && wall.hydrostatic)
+    at(wall.node, "pressure").fail("excludes hydrostatic; give one of them");
+  if (!wall.rotation) return;
+  const CaseNode& rotation = at(wall.node, "rotation");
+  if (dimension == 1) rotation.fail("nothing rotates in one dimension");
+  if (wall.rotation->rpm.has_value() == wall.rotation->omega.has_value())
+    rotation.fail("needs either rpm [1/min] or omega [rad/s]");
+  if (wall.rotation->axis.empty()) return;
+  if (dimension == 2) at(rotation, "axis").fail("in two dimensions the axis is z; leave it out");
+  if (wall.rotation->axis == std::vector<double>{0, 0, 0})
+    at(rotation, "axis").fail("has no direction");
+}
+
+}  // namespace
+
+const CaseNode& at(const CaseNode& table, const std::string& key) {
+  const CaseNode* node = table.find(key);
+  return node != nullptr ? *node : table;
+}
+
+const Section<FluidSettings>& fluidSection() {
+  using S = FluidSettings;
+  static const Section<S> section =
+      Section<S>("a fluid that fills a region; where two fluids overlap, the first one stands")
+          .text("name", &S::name, "for messages and results; absent: the region's name")
+          .text("region", &S::region, "the region filled; absent: the whole periodic domain")
+          .text("lattice", &S::lattice,
+                "where particles stand; absent: uniform (1-D), hexagonal (2-D), hcp (3-D)",
+                allLattices())
+          .vector(
+              "lattice_origin", &S::latticeOrigin, "m",
+              "where a lattice point stands; absent: half a row spacing from the region's lower "
+              "bounds")
+          .integer("seed", &S::seed, Range::notNegative(), "of random positions and of jitter")
+          .number("jitter", &S::jitter, "d_ref", Range::between(0, 0.5),
+                  "noise: each coordinate is moved by up to this much")
+          .number("density", &S::density, "kg/m^d", Range::positive(), "reference density rho_0")
+          .text("mass", &S::mass,
+                "cell: density times the lattice's cell; exact: density times the region's exact "
+                "volume over the number of particles",
+                {"cell", "exact"})
+          .vector("velocity", &S::velocity, "m/s", "initial velocity; absent: zero")
+          .number("pressure", &S::pressure, "Pa m^(3-d)", Range::any(),
+                  "initial pressure, density follows; absent: solver.background_pressure")
+          .section("hydrostatic", &S::hydrostatic, hydrostaticSection());
+  return section;
+}
+
+const Section<WallSettings>& wallSection() {
+  using S = WallSettings;
+  static const Section<S> section =
+      Section<S>("layers of particles behind a surface; where two walls overlap, the first stands")
+          .text("name", &S::name, "for messages and results; absent: the region's name")
+          .text("region", &S::region, "the solid; or else:")
+          .text("outside", &S::outside, "the solid is everything outside of this region")
+          .integer("layers", &S::layers, Range::between(1, 1e6),
+                   "thickness in d_ref; absent: as the kernel's support needs")
+          .text("method", &S::method,
+                "lattice: the fluid's lattice continued; conformal: layers at (k - 1/2) d_ref",
+                {"lattice", "conformal"})
+          .text("lattice_of", &S::latticeOf, "fluid whose lattice is continued; absent: the first")
+          .number("density", &S::density, "kg/m^d", Range::positive(),
+                  "absent: of the first fluid, or of lattice_of")
+          .vector("velocity", &S::velocity, "m/s", "of the rigid motion; absent: zero")
+          .section("rotation", &S::rotation, rotationSection())
+          .number(
+              "pressure", &S::pressure, "Pa m^(3-d)", Range::any(),
+              "initial pressure, density follows; absent: zero, or the background pressure with "
+              "solver.wall_pressure = \"equation_of_state\"")
+          .section("hydrostatic", &S::hydrostatic, hydrostaticSection());
+  return section;
+}
+
+std::vector<FluidSettings> readFluids(const CaseSettings& settings) {
+  std::vector<FluidSettings> fluids;
+  for (const CaseNode& node : settings.fluids->asArray()) {
+    FluidSettings fluid = fluidSection().read(node, settings.dimension);
+    fluid.node = node;
+    if (fluid.lattice.empty()) fluid.lattice = latticeNames(settings.dimension).front();
+    checkFluid(fluid, settings.dimension);
+    fluids.push_back(std::move(fluid));
+  }
+  if (fluids.empty()) settings.fluids->fail("is empty; a case needs at least one [[fluid]]");
+  nameAll(fluids, "fluid");
+  return fluids;
+}
+
+std::vector<WallSettings> readWalls(const CaseSettings& settings) {
+  std::vector<WallSettings> walls;
+  if (!settings.walls) return walls;
+  for (const CaseNode& node : settings.walls->asArray()) {
+    WallSettings wall = wallSection().read(node, settings.dimension);
+    wall.node = node;
+    checkWall(wall, settings.dimension);
+    walls.push_back(std::move(wall));
+  }
+  nameAll(walls, "wall");
+  return walls;
+}
+
+std::vector<SectionDoc> caseDocs() {
+  std::vector<SectionDoc> docs{caseSection().doc("case")};
+  for (SectionDoc& doc : geometryDocs()) docs.push_back(std::move(doc));
+  docs.push_back(fluidSection().doc("fluid"));
+  docs.push_back(wallSection().doc("wall"));
+  return docs;
+}
+
+}  // namespace plenum

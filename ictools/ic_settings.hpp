@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The [[fluid]] and [[wall]] tables of the case file.
+#pragma once
+
+#include "particles/case_settings.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plenum {
+
+struct HydrostaticSettings {
+  double surface = 0;                       ///< height against gravity [m]
+  std::optional<double> pressureAtSurface;  ///< [Pa m^(3-d)]; absent: background pressure
+};
+
+struct FluidSettings {
+  std::string name;
+  std::string region;   ///< "": the whole periodic domain
+  std::string lattice;  ///< "": the first of latticeNames()
+  std::vector<double> latticeOrigin;
+  int seed = 1;
+  double jitter = 0;  ///< [d_ref]
+  double density = 1;
+  std::string mass = "cell";
+  std::vector<double> velocity;
+  std::optional<double> pressure;
+  std::optional<HydrostaticSettings> hydrostatic;
+  CaseNode node;  ///< where it stands, for messages
+};
+
+struct RotationSettings {
+  std::optional<double> rpm;
+  std::optional<double> omega;
+  std::vector<double> center;
+  std::vector<double> axis;
+};
+
+struct WallSettings {
+  std::string name;
+  std::string region;
+  std::string outside;
+  std::optional<int> layers;
+  std::string method = "lattice";
+  std::string latticeOf;
+  std::optional<double> density;
+  std::vector<double> velocity;
+  std::optional<RotationSettings> rotation;
+  std::optional<double> pressure;
+  std::optional<HydrostaticSettings> hydrostatic;
+  CaseNode node;
+
+  /// The key that names the geometry.
+  const char* regionKey() const { return outside.empty() ? "region" : "outside"; }
+};
+
+const Section<FluidSettings>& fluidSection();
+const Section<WallSettings>& wallSection();
+
+/// Names that are missing are filled in; names that occur twice, keys that exclude each other and
+/// lattices of another dimension are InputErrors.
+std::vector<FluidSettings> readFluids(const CaseSettings& settings);
+std::vector<WallSettings> readWalls(const CaseSettings& settings);
+
+/// The node of `key`, or the table itself if it is absent (a default is at fault).
+const CaseNode& at(const CaseNode& table, const std::string& key);
+
+/// All declarations of a case file, for `help-case` and the docs.
+std::vector<SectionDoc> caseDocs();
+
+}  // namespace plenum

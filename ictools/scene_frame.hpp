@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "particles/box.hpp"
+#include "particles/case_settings.hpp"
+
+#include <functional>
+#include <string>
+
+namespace plenum {
+
+/// Somewhere to say what is not wrong but worth knowing.
+using Warn = std::function<void(const std::string&)>;
+
+/// What all parts of a scene share.
+template <int Dim>
+struct SceneFrame {
+  double spacing = 0;  ///< d_ref [m]
+  Box<Dim> domain;     ///< periodic axes as in the case; open axes infinite
+  SolverSettings solver;
+
+  double smoothingLength() const { return solver.smoothingLength * spacing; }
+  double support() const { return 2 * smoothingLength(); }
+
+  /// `box` with the domain's faces on periodic axes.
+  Box<Dim> clipped(Box<Dim> box) const {
+    for (int a = 0; a < Dim; ++a) {
+      if (!domain.isPeriodic(a)) continue;
+      box.lower[a] = domain.lower[a];
+      box.upper[a] = domain.upper[a];
+      box.periodic[static_cast<std::size_t>(a)] = true;
+    }
+    return box;
+  }
+};
+
+/// Throws InputError if a periodic axis is shorter than twice the kernel's support, so that a
+/// particle would meet two images of the same neighbour.
+template <int Dim>
+SceneFrame<Dim> sceneFrame(const CaseNode& root, const CaseSettings& settings);
+
+}  // namespace plenum
