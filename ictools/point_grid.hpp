@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "particles/box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace plenum {
+
+/// Points in cells, to which more may be added: answers who is near. Distances are to the nearest
+/// periodic image. Queries may come from several threads, `insert` from one.
+template <int Dim>
+class PointGrid {
+ public:
+  /// `box` contains all points that will come [m]; `reach` is the largest distance asked for [m];
+  /// `expected` is the number of points, for the number of cells only.
+  PointGrid(const Box<Dim>& box, double reach, std::size_t expected) : box_(box), reach_(reach) {
+    const double maxCells = 4 * static_cast<double>(expected) + 64;
+    double edge = reach;
+    const auto cellsAlong = [&](int a) {
+      const double n = std::floor((box.upper[a] - box.lower[a]) / edge);
+      return n < 1 ? 1.0 : n;
+    };
+    double total = 0;
+    while (true) {
+      total = 1;
+      for (int a = 0; a < Dim; ++a) total *= cellsAlong(a);
+      if (total <= maxCells) break;
+      edge *= 1.5;
+    }
+    for (int a = 0; a < Dim; ++a) shape_[a] = static_cast<int>(cellsAlong(a));
+    head_.assign(static_cast<std::size_t>(total), none);
+    points_.reserve(expected);
+    next_.reserve(expected);
+  }
+
+  PointGrid(const Box<Dim>& box, double reach, std::span<const Vec<Dim>> points)
+      : PointGrid(box, reach, points.size()) {
+    for (const Vec<Dim>& x : points) insert(x);
+  }
+
+  std::size_t size() const { return points_.size(); }
+  const Vec<Dim>& operator[](std::size_t k) const { return points_[k]; }
+
+  /// The point gets the next number, starting from 0.
+  void insert(const Vec<Dim>& x) {
+    std::uint32_t& head = head_[indexOf(cellOf(x))];
+    next_.push_back(head);
+    head = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(x);
+  }
+
+  /// Calls visit(number, distance squared) for all points within `reach`, in no particular order.
+  template <class Visit>
+  void forEachNear(const Vec<Dim>& x, Visit&& visit) const {
+    const std::array<int, Dim> center = cellOf(x);
+    std::array<int, Dim> cell{};
+    visitAxis(Dim - 1, center, cell, x, visit);
+  }
+
+  /// Distance to the nearest point but `except` [m]; infinite if none is within `reach`.
+  double nearest(const Vec<Dim>& x, std::size_t except = none) const {
+    double best = std::numeric_limits<double>::infinity();
+    forEachNear(x, [&](std::size_t k, double squared) {
+      if (k != except) best = std::min(best, squared);
+    });
+    return std::sqrt(best);
+  }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  std::array<int, Dim> cellOf(const Vec<Dim>& x) const {
+    std::array<int, Dim> cell{};
+    for (int a = 0; a < Dim; ++a) {
+      const auto axis = static_cast<std::size_t>(a);
+      const double s = (x[a] - box_.lower[a]) / (box_.upper[a] - box_.lower[a]) * shape_[a];
+      cell[axis] = std::clamp(static_cast<int>(std::floor(s)), 0, shape_[a] - 1);
+    }
+    return cell;
+  }
+
+  std::size_t indexOf(const std::array<int, Dim>& cell) const {
+    std::size_t index = 0;
+    for (int a = Dim - 1; a >= 0; --a)
+      index = index * static_cast<std::size_t>(shape_[a]) +
+              static_cast<std::size_t>(cell[static_cast<std::size_t>(a)]);
+    return index;
+  }
+
+  template <class Visit>
+  void visitAxis(int a, const std::array<int, Dim>& center, std::array<int, Dim>& cell,
+                 const Vec<Dim>& x, Visit& visit) const {
+    if (a < 0) return visitCell(cell, x, visit);
+    const auto axis = static_cast<std::size_t>(a);
+    const int n = shape_[a];
+    const bool wraps = box_.isPeriodic(a) && n > 2;
+    const int first = wraps ? center[axis] - 1 : std::max(0, center[axis] - 1);
+    const int last = wraps ? center[axis] + 1 : std::min(n - 1, center[axis] + 1);
+    for (int c = first; c <= last; ++c) {
+      cell[axis] = wraps ? (c + n) % n : c;
+      visitAxis(a - 1, center, cell, x, visit);
+    }
+  }
+
+  template <class Visit>
+  void visitCell(const std::array<int, Dim>& cell, const Vec<Dim>& x, Visit& visit) const {
+    for (std::uint32_t k = head_[indexOf(cell)]; k != none; k = next_[k]) {
+      const double squared = normSquared(box_.nearestImage(points_[k] - x));
+      if (squared <= reach_ * reach_) visit(static_cast<std::size_t>(k), squared);
+    }
+  }
+
+  Box<Dim> box_;
+  double reach_;
+  struct Shape {
+    std::array<int, Dim> n{};
+    int& operator[](int a) { return n[static_cast<std::size_t>(a)]; }
+    int operator[](int a) const { return n[static_cast<std::size_t>(a)]; }
+  } shape_;
+  std::vector<std::uint32_t> head_;
+  std::vector<std::uint32_t> next_;
+  std::vector<Vec<Dim>> points_;
+};
+
+}  // namespace plenum

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ictools/walls.hpp"
+
+#include "ictools/point_grid.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace plenum {
+
+namespace {
+
+/// Grows `box` by the finite ones of `bounds`' faces.
+template <int Dim>
+void extendFinite(Box<Dim>& box, const Box<Dim>& bounds) {
+  for (int a = 0; a < Dim; ++a)
+    for (const double face : {bounds.lower[a], bounds.upper[a]}) {
+      if (!std::isfinite(face)) continue;
+      box.lower[a] = std::min(box.lower[a], face);
+      box.upper[a] = std::max(box.upper[a], face);
+    }
+}
+
+template <int Dim>
+Box<Dim> wallBox(const std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Dim>>& fluids,
+                 const Box<Dim>& container, const SceneFrame<Dim>& frame) {
+  Box<Dim> box = Box<Dim>::nothing();
+  extendFinite(box, container);
+  for (const auto& fluid : fluids) extendFinite(box, fluid.box);
+  double thickest = 0;
+  for (const auto& wall : walls) {
+    extendFinite(box, wall.solid.geometry->bounds());
+    thickest = std::max(thickest, wall.thickness);
+  }
+  return frame.clipped(box.grown(thickest + frame.spacing));
+}
+
+/// Removes places that an earlier wall has, or that are too near to one of its particles.
+template <int Dim>
+void leaveToEarlier(std::vector<WallFill<Dim>>& walls, std::size_t w, const PointGrid<Dim>& taken,
+                    const SceneFrame<Dim>& frame) {
+  auto& points = walls[w].points;
+  const double roundOff = surfaceRoundOff * frame.spacing;
+  for (std::size_t earlier = 0; earlier < w; ++earlier) {
+    std::vector<Vec<Dim>> positions;
+    for (const auto& point : points) positions.push_back(point.position);
+    const WallSolid<Dim>& solid = walls[earlier].solid;
+    const auto distances = signedDistances<Dim>(*solid.geometry, positions);
+    std::size_t k = 0;
+    std::erase_if(points, [&](const WallPoint<Dim>&) {
+      const double depth = solid.depth(distances[k++]);
+      return depth >= -roundOff && depth <= walls[earlier].thickness + roundOff;
+    });
+  }
+  std::erase_if(points, [&](const WallPoint<Dim>& point) {
+    return taken.nearest(point.position) < closestInWalls * frame.spacing * (1 - 1e-9);
+  });
+}
+
+/// Two geometries that are meshed apart agree on their common surface to a tolerance only: a
+/// lattice point between them would be a fluid and a wall particle. The fluid has it.
+template <int Dim>
+void leaveToFluid(WallFill<Dim>& wall, const PointGrid<Dim>& fluid, double spacing) {
+  std::erase_if(wall.points, [&](const WallPoint<Dim>& point) {
+    return fluid.nearest(point.position) < 0.1 * spacing;
+  });
+}
+
+template <int Dim>
+const FluidFill<Dim>& fluidNamed(const std::vector<FluidFill<Dim>>& fluids,
+                                 const WallSettings& wall) {
+  if (wall.latticeOf.empty()) return fluids.front();
+  std::vector<std::string> names;
+  for (const auto& fluid : fluids) {
+    if (fluid.settings.name == wall.latticeOf) return fluid;
+    names.push_back(fluid.settings.name);
+  }
+  at(wall.node, "lattice_of").fail(fmt::format("no such fluid; known: {}", fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+template <int Dim>
+int layersNeeded(const SceneFrame<Dim>& frame) {
+  return static_cast<int>(std::ceil(2 * frame.solver.smoothingLength - 1e-9));
+}
+
+template <int Dim>
+WallFill<Dim> prepareWall(const WallSettings& settings, GeometryPtr<Dim> geometry,
+                          const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
+                          const Warn& warn) {
+  const FluidFill<Dim>& fluid = fluidNamed(fluids, settings);
+  const int needed = layersNeeded(frame);
+  WallFill<Dim> wall{settings,
+                     {std::move(geometry), !settings.outside.empty()},
+                     fluid.lattice,
+                     settings.layers.value_or(needed),
+                     0,
+                     settings.density.value_or(fluid.settings.density),
+                     {}};
+  wall.thickness = wall.layers * frame.spacing;
+  if (wall.layers < needed)
+    warn(
+        fmt::format("wall \"{}\" has {} layers of {:g} m, the kernel's support of {:g} m needs {}: "
+                    "plenum-sph will refuse this set; leave out `layers` or set it to {}",
+                    settings.name, wall.layers, frame.spacing, frame.support(), needed, needed));
+  return wall;
+}
+
+template <int Dim>
+void checkFluidOutsideWalls(const std::vector<FluidFill<Dim>>& fluids,
+                            const std::vector<WallFill<Dim>>& walls, const SceneFrame<Dim>& frame) {
+  for (const auto& wall : walls)
+    for (const auto& fluid : fluids) {
+      const double tolerance =
+          wall.solid.geometry->tolerance() + (fluid.region ? fluid.region->tolerance() : 0);
+      const double allowed = tolerance - surfaceRoundOff * frame.spacing;
+      const auto distances = signedDistances<Dim>(*wall.solid.geometry, fluid.points);
+      std::size_t nInside = 0, deepest = 0;
+      for (std::size_t k = 0; k < distances.size(); ++k) {
+        if (wall.solid.depth(distances[k]) < allowed) continue;
+        if (nInside++ == 0 || wall.solid.depth(distances[k]) > wall.solid.depth(distances[deepest]))
+          deepest = k;
+      }
+      if (nInside == 0) continue;
+      at(wall.settings.node, wall.settings.regionKey())
+          .fail(fmt::format(
+              "{} of {} particles of fluid \"{}\" stand in the solid of wall \"{}\", the deepest "
+              "at "
+              "({:g}), {:g} m behind its surface; take the solid out of the fluid's region, e.g. "
+              "{{ {} = [\"{}\", \"{}\"] }}",
+              nInside, fluid.points.size(), fluid.settings.name, wall.settings.name,
+              fmt::join(fluid.points[deepest].components, ", "),
+              wall.solid.depth(distances[deepest]),
+              wall.solid.isOutside ? "intersection" : "difference",
+              fluid.settings.region.empty() ? "everything" : fluid.settings.region,
+              wall.solid.isOutside ? wall.settings.outside : wall.settings.region));
+    }
+}
+
+template <int Dim>
+void fillWalls(std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Dim>>& fluids,
+               const Box<Dim>& container, const SceneFrame<Dim>& frame) {
+  if (walls.empty()) return;
+  const Box<Dim> box = wallBox(walls, fluids, container, frame);
+  const std::vector<Vec<Dim>> fluidPoints = allPoints(fluids);
+  const PointGrid<Dim> fluid(box, frame.spacing, fluidPoints);
+  PointGrid<Dim> taken(box, closestInWalls * frame.spacing, fluidPoints.size());
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    WallFill<Dim>& wall = walls[w];
+    wall.points = wall.settings.method == "lattice"
+                      ? latticeLayers(wall.solid, wall.lattice, frame.spacing, wall.thickness, box)
+                      : conformalLayers(wall.solid, frame.spacing, wall.layers, box);
+    leaveToEarlier(walls, w, taken, frame);
+    leaveToFluid(wall, fluid, frame.spacing);
+    if (wall.points.empty())
+      at(wall.settings.node, wall.settings.regionKey())
+          .fail(fmt::format("wall \"{}\" gets no particle: its solid ({}) is thinner than the "
+                            "spacing, lies inside of earlier walls or beyond the domain",
+                            wall.settings.name, wall.solid.geometry->describe()));
+    for (const auto& point : wall.points) taken.insert(point.position);
+  }
+}
+
+template <int Dim>
+RigidMotion rigidMotion(const WallSettings& settings) {
+  RigidMotion motion;
+  for (std::size_t a = 0; a < settings.velocity.size(); ++a)
+    motion.velocity[a] = settings.velocity[a];
+  if (!settings.rotation) return motion;
+  const RotationSettings& rotation = *settings.rotation;
+  for (std::size_t a = 0; a < rotation.center.size(); ++a) motion.center[a] = rotation.center[a];
+  std::array<double, 3> axis{0, 0, 1};
+  for (std::size_t a = 0; a < rotation.axis.size(); ++a) axis[a] = rotation.axis[a];
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  const double omega = rotation.omega ? *rotation.omega : *rotation.rpm * 2 * std::numbers::pi / 60;
+  for (std::size_t a = 0; a < 3; ++a) motion.angularVelocity[a] = omega * (axis[a] / length);
+  return motion;
+}
+
+template <int Dim>
+Vec<Dim> velocityOf(const RigidMotion& motion, const Vec<Dim>& x) {
+  std::array<double, 3> r = toThree(x);
+  for (std::size_t a = 0; a < 3; ++a) r[a] -= motion.center[a];
+  const auto& w = motion.angularVelocity;
+  return fromThree<Dim>({motion.velocity[0] + w[1] * r[2] - w[2] * r[1],
+                         motion.velocity[1] + w[2] * r[0] - w[0] * r[2],
+                         motion.velocity[2] + w[0] * r[1] - w[1] * r[0]});
+}
+
+template int layersNeeded(const SceneFrame<1>&);
+template WallFill<1> prepareWall(const WallSettings&, GeometryPtr<1>,
+                                 const std::vector<FluidFill<1>>&, const SceneFrame<1>&,
+                                 const Warn&);
+template void checkFluidOutsideWalls(const std::vector<FluidFill<1>>&,
+                                     const std::vector<WallFill<1>>&, const SceneFrame<1>&);
+template void fillWalls(std::vector<WallFill<1>>&, const std::vector<FluidFill<1>>&, const Box<1>&,
+                        const SceneFrame<1>&);
+template RigidMotion rigidMotion<1>(const WallSettings&);
+template Vec<1> velocityOf(const RigidMotion&, const Vec<1>&);
+template int layersNeeded(const SceneFrame<2>&);
+template WallFill<2> prepareWall(const WallSettings&, GeometryPtr<2>,
+                                 const std::vector<FluidFill<2>>&, const SceneFrame<2>&,
+                                 const Warn&);
+template void checkFluidOutsideWalls(const std::vector<FluidFill<2>>&,
+                                     const std::vector<WallFill<2>>&, const SceneFrame<2>&);
+template void fillWalls(std::vector<WallFill<2>>&, const std::vector<FluidFill<2>>&, const Box<2>&,
+                        const SceneFrame<2>&);
+template RigidMotion rigidMotion<2>(const WallSettings&);
+template Vec<2> velocityOf(const RigidMotion&, const Vec<2>&);
+template int layersNeeded(const SceneFrame<3>&);
+template WallFill<3> prepareWall(const WallSettings&, GeometryPtr<3>,
+                                 const std::vector<FluidFill<3>>&, const SceneFrame<3>&,
+                                 const Warn&);
+template void checkFluidOutsideWalls(const std::vector<FluidFill<3>>&,
+                                     const std::vector<WallFill<3>>&, const SceneFrame<3>&);
+template void fillWalls(std::vector<WallFill<3>>&, const std::vector<FluidFill<3>>&, const Box<3>&,
+                        const SceneFrame<3>&);
+template RigidMotion rigidMotion<3>(const WallSettings&);
+template Vec<3> velocityOf(const RigidMotion&, const Vec<3>&);
+
+}  // namespace plenum

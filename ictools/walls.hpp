@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ictools/fluids.hpp"
+#include "ictools/wall_layers.hpp"
+#include "particles/scene.hpp"
+
+#include <vector>
+
+namespace plenum {
+
+/// A wall with its particles.
+template <int Dim>
+struct WallFill {
+  WallSettings settings;
+  WallSolid<Dim> solid;
+  Lattice<Dim> lattice;  ///< continued behind the surface by method "lattice"
+  int layers = 0;
+  double thickness = 0;  ///< [m]
+  double density = 0;    ///< reference [kg/m^d]
+  std::vector<WallPoint<Dim>> points;
+};
+
+/// Layers that cover the kernel's support: 2h in units of d_ref, rounded up.
+template <int Dim>
+int layersNeeded(const SceneFrame<Dim>& frame);
+
+/// Checks a wall; `fluids` are prepared. Throws InputError for an unknown `lattice_of`. Warns of a
+/// wall thinner than the kernel's support.
+template <int Dim>
+WallFill<Dim> prepareWall(const WallSettings& settings, GeometryPtr<Dim> geometry,
+                          const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
+                          const Warn& warn);
+
+/// Throws InputError, with count, place and remedy, if fluid particles stand in the solid of a
+/// wall.
+template <int Dim>
+void checkFluidOutsideWalls(const std::vector<FluidFill<Dim>>& fluids,
+                            const std::vector<WallFill<Dim>>& walls, const SceneFrame<Dim>& frame);
+
+/// Puts particles into all walls. Where the layers of two walls overlap (corners), the first wall
+/// has the place; a particle of a later wall nearer than 0.6 d_ref to one of an earlier wall is
+/// left out. Infinite solids end where nothing else of the scene is: at the bounds of fluids,
+/// enclosed regions, finite solids and `container`, grown by the thickest wall. Throws InputError
+/// for a wall that gets no particle.
+template <int Dim>
+void fillWalls(std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Dim>>& fluids,
+               const Box<Dim>& container, const SceneFrame<Dim>& frame);
+
+template <int Dim>
+RigidMotion rigidMotion(const WallSettings& settings);
+
+/// Velocity [m/s] of the material point that is at `x` [m] at t = 0.
+template <int Dim>
+Vec<Dim> velocityOf(const RigidMotion& motion, const Vec<Dim>& x);
+
+}  // namespace plenum
