@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ictools/assemble.hpp"
+
+#include "ictools/parallel.hpp"
+#include "ictools/point_grid.hpp"
+#include "ictools/state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plenum {
+
+namespace {
+
+constexpr FieldSet sceneFields{field::position, field::velocity, field::mass,
+                               field::density,  field::pressure, field::smoothingLength,
+                               field::id,       field::material};
+constexpr FieldSet wallFields{field::wall, field::normal, field::wallDistance};
+
+template <int Dim>
+void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
+              const SceneFrame<Dim>& frame, ParticleSet<Dim>& particles) {
+  const FluidSettings& settings = fluid.settings;
+  const InitialState state(frame.solver, settings.density, settings.pressure, settings.hydrostatic,
+                           settings.node);
+  Vec<Dim> velocity;
+  for (std::size_t a = 0; a < settings.velocity.size(); ++a)
+    velocity[static_cast<int>(a)] = settings.velocity[a];
+  for (std::size_t k = 0; k < fluid.points.size(); ++k) {
+    const std::size_t i = first + k;
+    const FluidState here = state(fluid.points[k]);
+    particles[field::position][i] = fluid.points[k];
+    particles[field::velocity][i] = velocity;
+    particles[field::density][i] = here.density;
+    particles[field::pressure][i] = here.pressure;
+    particles[field::mass][i] = here.density * fluid.particleVolume;
+    particles[field::material][i] = material;
+  }
+}
+
+template <int Dim>
+void addWall(const WallFill<Dim>& wall, int row, std::size_t first, const SceneFrame<Dim>& frame,
+             ParticleSet<Dim>& particles) {
+  const WallSettings& settings = wall.settings;
+  const RigidMotion motion = rigidMotion<Dim>(settings);
+  const InitialState state(frame.solver, wall.density, settings.pressure, settings.hydrostatic,
+                           settings.node);
+  const bool isPassive =
+      frame.solver.wallPressure == "zero" && !settings.pressure && !settings.hydrostatic;
+  for (std::size_t k = 0; k < wall.points.size(); ++k) {
+    const WallPoint<Dim>& point = wall.points[k];
+    const std::size_t i = particles.nFluid() + first + k;
+    const FluidState here = isPassive ? FluidState{0, wall.density} : state(point.position);
+    particles[field::position][i] = point.position;
+    particles[field::velocity][i] = velocityOf<Dim>(motion, point.position);
+    particles[field::density][i] = here.density;
+    particles[field::pressure][i] = here.pressure;
+    particles[field::mass][i] = here.density * point.volume;
+    particles[field::wall][first + k] = row;
+    particles[field::normal][first + k] = point.normal;
+    particles[field::wallDistance][first + k] = point.depth;
+  }
+}
+
+/// Smallest distance of two particles [m].
+template <int Dim>
+double minDistance(std::span<const Vec<Dim>> points, const Box<Dim>& domain, double spacing) {
+  Box<Dim> box = domain;
+  for (int a = 0; a < Dim; ++a)
+    if (!box.isPeriodic(a)) {
+      box.lower[a] -= spacing;
+      box.upper[a] += spacing;
+    }
+  const PointGrid<Dim> grid(box, 1.5 * spacing, points);
+  constexpr std::size_t batch = 4096;
+  std::vector<double> smallest((points.size() + batch - 1) / batch,
+                               std::numeric_limits<double>::infinity());
+  parallelFor(smallest.size(), [&](std::size_t b) {
+    for (std::size_t k = b * batch; k < std::min(points.size(), (b + 1) * batch); ++k)
+      smallest[b] = std::min(smallest[b], grid.nearest(points[k], k));
+  });
+  return smallest.empty() ? 0 : *std::min_element(smallest.begin(), smallest.end());
+}
+
+}  // namespace
+
+template <int Dim>
+ParticleSet<Dim> assemble(const std::vector<FluidFill<Dim>>& fluids,
+                          const std::vector<WallFill<Dim>>& walls, const SceneFrame<Dim>& frame) {
+  std::size_t nFluid = 0, nWalls = 0;
+  for (const auto& fluid : fluids) nFluid += fluid.points.size();
+  for (const auto& wall : walls) nWalls += wall.points.size();
+  ParticleSet<Dim> particles(walls.empty() ? sceneFields : sceneFields | wallFields, nFluid,
+                             nWalls);
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < fluids.size(); ++k) {
+    addFluid(fluids[k], static_cast<int>(k), first, frame, particles);
+    first += fluids[k].points.size();
+  }
+  first = 0;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    addWall(walls[k], static_cast<int>(k), first, frame, particles);
+    first += walls[k].points.size();
+  }
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    particles[field::smoothingLength][i] = frame.smoothingLength();
+    particles[field::id][i] = i < nFluid ? nWalls + i + 1 : i - nFluid + 1;
+  }
+  return particles;
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> qualityFigures(
+    const std::vector<FluidFill<Dim>>& fluids, const std::vector<WallFill<Dim>>& walls,
+    const ParticleSet<Dim>& particles, const Box<Dim>& domain, double spacing) {
+  static const char* axes[] = {"x", "y", "z"};
+  std::vector<std::pair<std::string, double>> figures;
+  figures.emplace_back("fluid particles", particles.nFluid());
+  figures.emplace_back("wall particles", particles.nWalls());
+  figures.emplace_back(
+      "smallest distance / d_ref",
+      minDistance<Dim>(std::as_const(particles)[field::position], domain, spacing) / spacing);
+  std::size_t i = 0;
+  for (const auto& fluid : fluids) {
+    const std::string& name = fluid.settings.name;
+    double mass = 0;
+    for (const std::size_t end = i + fluid.points.size(); i < end; ++i)
+      mass += particles[field::mass][i];
+    const double whole = fluid.settings.density * fluid.volume.value;
+    figures.emplace_back(name + ": particles", fluid.points.size());
+    figures.emplace_back(name + ": mass", mass);
+    figures.emplace_back(name + ": density x volume", whole);
+    figures.emplace_back(name + ": left to earlier fluids", fluid.nCovered);
+    for (int a = 0; a < Dim; ++a)
+      if (domain.isPeriodic(a) && fluid.settings.lattice != "random")
+        figures.emplace_back(name + ": spacing along " + axes[a] + " / asked for - 1",
+                             fluid.lattice.deviation(a));
+  }
+  for (const auto& wall : walls) {
+    figures.emplace_back(wall.settings.name + ": particles", wall.points.size());
+    figures.emplace_back(wall.settings.name + ": layers", wall.layers);
+  }
+  return figures;
+}
+
+template ParticleSet<1> assemble(const std::vector<FluidFill<1>>&, const std::vector<WallFill<1>>&,
+                                 const SceneFrame<1>&);
+template std::vector<std::pair<std::string, double>> qualityFigures(
+    const std::vector<FluidFill<1>>&, const std::vector<WallFill<1>>&, const ParticleSet<1>&,
+    const Box<1>&, double);
+template ParticleSet<2> assemble(const std::vector<FluidFill<2>>&, const std::vector<WallFill<2>>&,
+                                 const SceneFrame<2>&);
+template std::vector<std::pair<std::string, double>> qualityFigures(
+    const std::vector<FluidFill<2>>&, const std::vector<WallFill<2>>&, const ParticleSet<2>&,
+    const Box<2>&, double);
+template ParticleSet<3> assemble(const std::vector<FluidFill<3>>&, const std::vector<WallFill<3>>&,
+                                 const SceneFrame<3>&);
+template std::vector<std::pair<std::string, double>> qualityFigures(
+    const std::vector<FluidFill<3>>&, const std::vector<WallFill<3>>&, const ParticleSet<3>&,
+    const Box<3>&, double);
+
+}  // namespace plenum

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/geometry.hpp"
+#include "ictools/scene_frame.hpp"
+#include "particles/container_map.hpp"
+
+#include <vector>
+
+namespace plenum {
+
+/// Samples the signed distance to the union of `regions` on a grid of d_ref/2 in steps of d_ref/32,
+/// clipped at +-127 steps (just below 4 d_ref), over their bounds (finite on open axes) and a
+/// margin of 4 d_ref on open axes. Empty for no regions: fluid may be everywhere.
+template <int Dim>
+ContainerMap<Dim> containerMap(const std::vector<GeometryPtr<Dim>>& regions,
+                               const SceneFrame<Dim>& frame);
+
+}  // namespace plenum

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ictools/generate.hpp"
+
+#include "geometry/geometry_set.hpp"
+#include "ictools/assemble.hpp"
+#include "ictools/container.hpp"
+#include "ictools/thin_parts.hpp"
+#include "particles/errors.hpp"
+#include "particles/version.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace plenum {
+
+namespace {
+
+/// The regions of a case, and errors for names when it has none.
+template <int Dim>
+class Regions {
+ public:
+  Regions(const CaseSettings& settings, const std::filesystem::path& folder) {
+    if (settings.geometry) set_ = GeometrySet<Dim>::read(*settings.geometry, folder);
+  }
+
+  GeometryPtr<Dim> find(const CaseNode& name) const {
+    if (!set_) name.fail("the case has no [geometry] table in which to look for that name");
+    return set_->find(name);
+  }
+
+ private:
+  std::optional<GeometrySet<Dim>> set_;
+};
+
+template <int Dim>
+std::vector<FluidFill<Dim>> prepareFluids(const CaseSettings& settings, const Regions<Dim>& regions,
+                                          const SceneFrame<Dim>& frame, const Warn& warn) {
+  std::vector<FluidFill<Dim>> fluids;
+  for (const FluidSettings& fluid : readFluids(settings)) {
+    const GeometryPtr<Dim> region =
+        fluid.region.empty() ? nullptr : regions.find(at(fluid.node, "region"));
+    fluids.push_back(prepareFluid(fluid, region, frame, warn));
+  }
+  return fluids;
+}
+
+template <int Dim>
+std::vector<WallFill<Dim>> prepareWalls(const CaseSettings& settings, const Regions<Dim>& regions,
+                                        const std::vector<FluidFill<Dim>>& fluids,
+                                        const SceneFrame<Dim>& frame, const Warn& warn) {
+  std::vector<WallFill<Dim>> walls;
+  for (const WallSettings& wall : readWalls(settings)) {
+    const GeometryPtr<Dim> geometry = regions.find(at(wall.node, wall.regionKey()));
+    walls.push_back(prepareWall(wall, geometry, fluids, frame, warn));
+  }
+  return walls;
+}
+
+/// Where fluid may be: the region that `container` names, or where fluids start; none for a fluid
+/// that fills the whole domain.
+template <int Dim>
+std::vector<GeometryPtr<Dim>> containerRegions(const CaseNode& root, const CaseSettings& settings,
+                                               const Regions<Dim>& regions,
+                                               const std::vector<FluidFill<Dim>>& fluids,
+                                               const SceneFrame<Dim>& frame) {
+  if (!settings.container.empty()) {
+    const CaseNode& node = at(root, "container");
+    const GeometryPtr<Dim> region = regions.find(node);
+    if (!frame.clipped(region->bounds()).isFinite())
+      node.fail("is infinite; intersect it with a box");
+    return {region};
+  }
+  std::vector<GeometryPtr<Dim>> starts;
+  for (const auto& fluid : fluids) {
+    if (!fluid.region) return {};
+    starts.push_back(fluid.region);
+  }
+  return starts;
+}
+
+/// The case as the solver must read it: the file's own text, or, if something was set on the
+/// command line, the values with which this set was made.
+std::string caseText(const CaseNode& root, const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream file;
+  file << in.rdbuf();
+  if (in && CaseNode::parse(file.str(), path.string()).printed() == root.printed())
+    return file.str();
+  std::string text = fmt::format("# {} with values set on the command line\n", path.string());
+  for (const auto& [key, node] : root.asTable()) text += key + " = " + node.printed() + "\n";
+  return text;
+}
+
+template <int Dim>
+Box<Dim> domainOf(const SceneFrame<Dim>& frame, const ParticleSet<Dim>& particles) {
+  Box<Dim> box = Box<Dim>::nothing();
+  for (const Vec<Dim>& x : particles[field::position]) box.extend(x);
+  return frame.clipped(box);
+}
+
+template <int Dim>
+SceneInfo<Dim> sceneInfo(const CaseNode& root, const CaseSettings& settings,
+                         const std::filesystem::path& casePath, const SceneFrame<Dim>& frame,
+                         const std::vector<FluidFill<Dim>>& fluids,
+                         const std::vector<WallFill<Dim>>& walls) {
+  SceneInfo<Dim> info;
+  info.title = settings.title;
+  info.caseName = casePath.string();
+  info.caseText = caseText(root, casePath);
+  info.generator = fmt::format("plenum-ic {}", version);
+  info.spacing = frame.spacing;
+  info.kernel = frame.solver.kernel;
+  info.smoothingLength = frame.smoothingLength();
+  for (const auto& fluid : fluids)
+    info.materials.push_back({fluid.settings.name, fluid.settings.density});
+  for (const auto& wall : walls)
+    info.walls.push_back({wall.settings.name, wall.settings.method, wall.layers, wall.thickness,
+                          wall.density, rigidMotion<Dim>(wall.settings)});
+  return info;
+}
+
+}  // namespace
+
+template <int Dim>
+Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
+                    const std::filesystem::path& casePath, const Warn& warn) {
+  const SceneFrame<Dim> frame = sceneFrame<Dim>(root, settings);
+  const Regions<Dim> regions(settings, casePath.parent_path());
+  auto fluids = prepareFluids(settings, regions, frame, warn);
+  auto walls = prepareWalls(settings, regions, fluids, frame, warn);
+  const auto container = containerRegions(root, settings, regions, fluids, frame);
+
+  fillFluids(fluids, frame);
+  checkFluidOutsideWalls(fluids, walls, frame);
+  checkThinParts(fluids, frame, warn);
+  Box<Dim> containerBox = Box<Dim>::nothing();
+  for (const auto& region : container) containerBox.extend(region->bounds());
+  fillWalls(walls, fluids, containerBox, frame);
+
+  Scene<Dim> scene{sceneInfo(root, settings, casePath, frame, fluids, walls),
+                   assemble(fluids, walls, frame)};
+  scene.info.domain = domainOf(frame, scene.particles);
+  scene.info.container = containerMap(container, frame);
+  scene.info.quality =
+      qualityFigures(fluids, walls, scene.particles, scene.info.domain, frame.spacing);
+  return scene;
+}
+
+template Scene<1> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
+                           const Warn&);
+template Scene<2> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
+                           const Warn&);
+template Scene<3> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
+                           const Warn&);
+
+}  // namespace plenum
