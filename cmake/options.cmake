@@ -14,7 +14,9 @@ endif()
 
 add_library(plenum_options INTERFACE)
 target_include_directories(plenum_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
-target_compile_options(plenum_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+# g++ 12 takes the string inside an empty std::optional for uninitialised.
+target_compile_options(plenum_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wno-maybe-uninitialized)
 if(PLENUM_NATIVE)
   target_compile_options(plenum_options INTERFACE -march=native)
 endif()

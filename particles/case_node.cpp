@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
+#include <optional>
 #include <sstream>
 
 namespace plenum {
@@ -160,38 +160,65 @@ const CaseNode* CaseNode::find(const std::string& key) const {
   return nullptr;
 }
 
+namespace {
+
+/// "fluid[0]" -> "fluid" and 0; a plain name has no index.
+struct KeyPart {
+  std::string name;
+  std::optional<std::size_t> index;
+
+  KeyPart(const std::string& text, const std::string& origin) : name(text) {
+    const std::size_t bracket = text.find('[');
+    if (bracket != std::string::npos) {
+      name = text.substr(0, bracket);
+      const std::string digits = text.substr(bracket + 1, text.size() - bracket - 2);
+      const bool isNumber = !digits.empty() && digits.size() < 7 && text.back() == ']' &&
+                            digits.find_first_not_of("0123456789") == std::string::npos;
+      if (!isNumber) throw InputError(origin + ": write the index as in fluid[0].density");
+      index = std::stoul(digits);
+    }
+    if (name.empty()) throw InputError(origin + ": an empty key; write --set section.key=value");
+  }
+};
+
+}  // namespace
+
+/// The child of a table, made if it is not there.
+CaseNode& CaseNode::child(const std::string& name) {
+  auto* table = std::get_if<Table>(&value_);
+  if (table == nullptr) fail("is not a table, so it has no key '" + name + "'");
+  for (auto& [key, node] : *table)
+    if (key == name) return node;
+  CaseNode node;
+  node.path_ = path_.empty() ? name : path_ + "." + name;
+  return table->emplace_back(name, std::move(node)).second;
+}
+
 void CaseNode::set(const std::string& key, const std::string& text) {
   const std::string origin = fmt::format("--set {}={}", key, text);
-  const auto fileName = std::make_shared<const std::string>(origin);
   CaseNode parsed;
   try {
     parsed = parse("value = " + text, origin);
   } catch (const InputError&) {
-    parsed = parse("value = '" + text + "'", origin);
+    parsed = parse("value = '" + text + "'", origin);  // a bare word is a string
   }
   CaseNode* node = this;
-  std::size_t begin = 0;
-  while (true) {
+  for (std::size_t begin = 0; begin != std::string::npos;) {
     const std::size_t dot = key.find('.', begin);
-    const std::string name = key.substr(begin, dot - begin);
-    if (name.empty()) throw InputError(origin + ": an empty key; write --set section.key=value");
-    auto* table = std::get_if<Table>(&node->value_);
-    if (table == nullptr) node->fail("is not a table, so it has no key '" + name + "'");
-    auto entry = std::find_if(table->begin(), table->end(),
-                              [&](const auto& candidate) { return candidate.first == name; });
-    if (entry == table->end()) {
-      CaseNode child;
-      child.path_ = node->path_.empty() ? name : node->path_ + "." + name;
-      child.fileName_ = fileName;
-      entry = table->insert(table->end(), {name, std::move(child)});
+    const KeyPart part(key.substr(begin, dot - begin), origin);
+    node = &node->child(part.name);
+    if (part.index) {
+      auto* items = std::get_if<Array>(&node->value_);
+      if (items == nullptr || *part.index >= items->size())
+        throw InputError(fmt::format("{}: the case has {} entries of '{}'", origin,
+                                     items == nullptr ? 0 : items->size(), part.name));
+      node = &(*items)[*part.index];
     }
-    node = &entry->second;
-    if (dot == std::string::npos) break;
-    begin = dot + 1;
+    begin = dot == std::string::npos ? dot : dot + 1;
   }
   node->value_ = parsed.find("value")->value_;
   node->line_ = 0;
-  node->fileName_ = fileName;
+  node->fileName_ = std::make_shared<const std::string>(origin);
 }
 
 }  // namespace plenum

@@ -46,7 +46,8 @@ class CaseNode {
   /// The entry of a table, or nullptr.
   const CaseNode* find(const std::string& key) const;
 
-  /// Sets `key` ("solver.kernel") to the TOML value `text`; bare words are taken as strings.
+  /// Sets `key` ("solver.kernel", "fluid[0].seed") to the TOML value `text`; bare words are taken
+  /// as strings. Throws InputError for an index beyond the list.
   void set(const std::string& key, const std::string& text);
 
   /// The value as it would stand in the file, for messages.
@@ -59,6 +60,8 @@ class CaseNode {
   struct Builder;
 
  private:
+  CaseNode& child(const std::string& name);
+
   Value value_ = Table{};
   std::string path_;
   int line_ = 0;

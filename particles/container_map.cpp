@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plenum {
 
 template <int Dim>
 double ContainerMap<Dim>::signedDistance(const Vec<Dim>& x) const {
-  if (empty()) return -127 * step;
+  if (empty()) return -std::numeric_limits<double>::infinity();
   std::array<int, Dim> cell{};
   std::array<double, Dim> weight{};
   for (int a = 0; a < Dim; ++a) {

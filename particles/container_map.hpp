@@ -25,7 +25,8 @@ struct ContainerMap {
 
   bool empty() const { return counts.empty(); }
 
-  /// Signed distance [m] at x, linear between samples; beyond the grid the clipped maximum.
+  /// Signed distance [m] at x, linear between samples; beyond the grid the clipped maximum, in an
+  /// empty map minus infinity.
   double signedDistance(const Vec<Dim>& x) const;
 
   Box<Dim> bounds() const;

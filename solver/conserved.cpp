@@ -35,8 +35,7 @@ Conserved measureConserved(const Simulation<Dim>& simulation) {
     c.mass = m;
     c.kineticEnergy = 0.5 * m * normSquared(velocity[i]);
     c.potentialEnergy = -m * dot(gravity, position[i]);
-    c.compressionEnergy =
-        m * simulation.materials().of(material, i).compressionEnergy(density[i]);
+    c.compressionEnergy = m * simulation.materials().of(material, i).compressionEnergy(density[i]);
     for (std::size_t a = 0; a < 3; ++a) {
       const std::size_t b = (a + 1) % 3, d = (a + 2) % 3;
       c.momentum[a] = m * v[a];

@@ -9,12 +9,12 @@ namespace plenum {
 
 /// Sums over all fluid particles; conserved where no wall acts.
 struct Conserved {
-  double mass = 0;                         ///< [kg m^(d-3)]
-  double kineticEnergy = 0;                ///< [J]
-  double potentialEnergy = 0;              ///< in gravity, zero at the origin [J]
-  double compressionEnergy = 0;            ///< of the equation of state, zero at rho0 [J]
-  std::array<double, 3> momentum{};        ///< [kg m/s]
-  std::array<double, 3> angularMomentum{}; ///< about the origin [kg m^2/s]
+  double mass = 0;                          ///< [kg m^(d-3)]
+  double kineticEnergy = 0;                 ///< [J]
+  double potentialEnergy = 0;               ///< in gravity, zero at the origin [J]
+  double compressionEnergy = 0;             ///< of the equation of state, zero at rho0 [J]
+  std::array<double, 3> momentum{};         ///< [kg m/s]
+  std::array<double, 3> angularMomentum{};  ///< about the origin [kg m^2/s]
 
   double energy() const { return kineticEnergy + potentialEnergy + compressionEnergy; }
   Conserved& operator+=(const Conserved& other);

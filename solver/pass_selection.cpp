@@ -6,7 +6,6 @@
 #include "solver/pair_pass.hpp"
 #include "solver/terms.hpp"
 
-
 namespace plenum {
 
 namespace {

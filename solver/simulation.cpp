@@ -140,9 +140,8 @@ void Simulation<Dim>::refuseNonFiniteForces() const {
   throw RunError(fmt::format(
       "the force on particle {} at ({:.4g}) is not finite at t = {:.6g} s, step {}: likely a time "
       "step that is too large or particles that overlap; try --set solver.time_step={:.2g}",
-      particles_[field::id][i],
-      fmt::join(particles_[field::position][i].components, ", "), time(), nSteps_,
-      0.05 * smoothingLength() / settings_.soundSpeed));
+      particles_[field::id][i], fmt::join(particles_[field::position][i].components, ", "), time(),
+      nSteps_, 0.05 * smoothingLength() / settings_.soundSpeed));
 }
 
 template <int Dim>

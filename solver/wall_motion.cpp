@@ -65,8 +65,9 @@ WallMotion<Dim>::WallMotion(std::vector<Wall> walls, const ParticleSet<Dim>& par
   const auto ids = particles[field::id].subspan(particles.nFluid());
   const auto [low, high] = std::ranges::minmax(ids);
   if (high - low + 1 != ids.size())
-    throw InputError("the ids of the wall particles are not consecutive; generate the particle "
-                     "file anew with plenum-ic");
+    throw InputError(
+        "the ids of the wall particles are not consecutive; generate the particle "
+        "file anew with plenum-ic");
   firstId_ = low;
   start_.resize(ids.size());
   const auto positions = particles[field::position].subspan(particles.nFluid());

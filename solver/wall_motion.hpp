@@ -48,8 +48,8 @@ class WallMotion {
   std::vector<Wall> walls_;
   double startTime_;
   bool anyMoves_ = false;
-  std::uint64_t firstId_ = 0;  // smallest id of a wall particle
-  std::vector<Start> start_;   // by id - firstId_; empty if no wall moves
+  std::uint64_t firstId_ = 0;                // smallest id of a wall particle
+  std::vector<Start> start_;                 // by id - firstId_; empty if no wall moves
   std::vector<Displacement> displacements_;  // per wall, of the current call
 };
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/history.hpp"
+
+#include "particles/atomic_file.hpp"
+#include "particles/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+
+namespace plenum {
+
+History::History(std::filesystem::path path) : path_(std::move(path)), out_(path_) {
+  if (!out_) throw RunError(writeFailure(path_, errno));
+}
+
+void History::add(const std::vector<Figure>& figures) {
+  std::string line;
+  if (!hasHeader_) {
+    for (const Figure& f : figures)
+      line += (line.empty() ? "" : ",") + f.name + (f.unit.empty() ? "" : " [" + f.unit + "]");
+    line += '\n';
+    hasHeader_ = true;
+  }
+  std::string row;
+  for (const Figure& f : figures) row += fmt::format("{}{:.12g}", row.empty() ? "" : ",", f.value);
+  out_ << line << row << '\n' << std::flush;
+  if (!out_) throw RunError(writeFailure(path_, errno));
+}
+
+}  // namespace plenum

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// plenum-sph: runs the particles of a particle file and writes what ParaView and meshio read.
+// Read on in run.cpp (the run), simulation.cpp (the step), engine/pair_loop.hpp (the pairs).
+#include "particles/errors.hpp"
+#include "particles/particle_file.hpp"
+#include "particles/version.hpp"
+#include "solver/run.hpp"
+#include "solver/simulation.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace plenum {
+
+namespace {
+
+struct CommandLine {
+  std::filesystem::path file;
+  std::filesystem::path folder;
+  std::vector<std::string> changes;
+  int threads = 0;
+  bool quiet = false;
+};
+
+void printFigures(const std::vector<Figure>& figures) {
+  for (const Figure& f : figures)
+    std::cout << fmt::format("  {:<20} {:>12.6g} {}\n", f.name, f.value, f.unit);
+}
+
+int run(const CommandLine& line) {
+  if (line.threads > 0) omp_set_num_threads(line.threads);
+  return withParticleFile(line.file, [&](auto scene) {
+    RunOptions options;
+    options.name = line.file.stem().string();
+    options.folder =
+        line.folder.empty() ? std::filesystem::path(options.name + "_run") : line.folder;
+    options.quiet = line.quiet;
+    const CaseSettings settings = settingsOf(scene.info, line.changes);
+    const auto figures = runScene(std::move(scene), settings, options);
+    if (!line.quiet) {
+      std::cout << "last state:\n";
+      printFigures(figures);
+      std::cout << fmt::format(
+          "written to {0}: open {1}.pvd in ParaView (paraview {0}/{1}.pvd), "
+          "or a .vtu in meshio\n",
+          options.folder.string(), options.name);
+    }
+    return exitOk;
+  });
+}
+
+int info(const CommandLine& line) {
+  return withParticleFile(line.file, [&](auto scene) {
+    const CaseSettings settings = settingsOf(scene.info, line.changes);
+    std::cout << fmt::format("{}\nmade by {} from {}, t = {:g} s\n", scene.info.title,
+                             scene.info.generator, scene.info.caseName, scene.info.time);
+    for (const auto& [name, value] : scene.info.quality)
+      std::cout << fmt::format("  {:<32} {:.9g}\n", name, value);
+    std::cout << "this run would model:\n"
+              << describeModel(Simulation(std::move(scene), settings.solverOrDefaults()));
+    return exitOk;
+  });
+}
+
+void declare(CLI::App& app, CommandLine& line) {
+  app.description(
+      "plenum-sph runs the particles of a particle file.\n\n"
+      "  plenum-sph run shaft.hdf                          as the case says\n"
+      "  plenum-sph run shaft.hdf --set solver.kernel=wendland_c2_1d -o out/c2\n"
+      "  plenum-sph info shaft.hdf                         what is in it, what would be modelled\n"
+      "  plenum-sph keys                                   all keys that --set takes\n\n"
+      "Exit code: 0 done, 1 the input is at fault, 2 the run failed.");
+  app.set_version_flag("--version", fmt::format("plenum-sph {}", version));
+  app.require_subcommand(1);
+  const auto addCommon = [&](CLI::App* command) {
+    command->add_option("file", line.file, "particle file, made by plenum-ic")->required();
+    command->add_option("--set", line.changes, "change a key of the case: section.key=value")
+        ->allow_extra_args(false);
+  };
+  CLI::App* runCommand = app.add_subcommand("run", "run to the end time");
+  addCommon(runCommand);
+  runCommand->add_option("-o,--output", line.folder, "folder for all output [FILE's name + _run]");
+  runCommand->add_option("-j,--threads", line.threads, "threads [all cores]")
+      ->check(CLI::PositiveNumber);
+  runCommand->add_flag("-q,--quiet", line.quiet, "print errors only");
+  addCommon(app.add_subcommand("info", "print what a file holds and what a run would model"));
+  app.add_subcommand("keys", "print the keys of [solver] and [output]");
+}
+
+int main(int argc, char** argv) {
+  CLI::App app;
+  CommandLine line;
+  declare(app, line);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exitOk : exitInputAtFault;
+  }
+  if (app.got_subcommand("keys")) {
+    std::cout << solverSection().doc("[solver]").printed()
+              << outputSection().doc("[output]").printed();
+    return exitOk;
+  }
+  return app.got_subcommand("run") ? run(line) : info(line);
+}
+
+}  // namespace
+
+}  // namespace plenum
+
+int main(int argc, char** argv) {
+  return plenum::runProgram("plenum-sph", [&] { return plenum::main(argc, argv); });
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "particles/pvd_writer.hpp"
+#include "solver/history.hpp"
+#include "solver/run.hpp"
+#include "solver/simulation.hpp"
+
+#include <chrono>
+#include <optional>
+
+namespace plenum {
+
+/// Everything that a run leaves in its folder: NAME_0000.vtu ..., NAME.pvd, history.csv,
+/// first.png, last.png, NAME_end.hdf, summary.json.
+template <int Dim>
+class Recorder {
+ public:
+  /// Makes the folder and removes what an earlier run of this name left there. Throws InputError
+  /// for output settings that name unknown fields or fields that the run does not model.
+  Recorder(const RunOptions& options, const CaseSettings& settings,
+           const Simulation<Dim>& simulation);
+
+  void addState(const Simulation<Dim>& simulation);  ///< the next VTU file
+  const std::vector<Figure>& addRow(
+      const Simulation<Dim>& simulation);  ///< the next row of history.csv
+  void drawFirst(const Simulation<Dim>& simulation) const;
+  void finish(const Simulation<Dim>& simulation) const;  ///< last picture, end file, summary
+
+  /// The state as it stands when a run fails: NAME_failed.hdf and .vtu. Returns the file's path.
+  std::filesystem::path saveFailed(const Simulation<Dim>& simulation) const;
+
+  const std::vector<Figure>& lastRow() const { return row_; }
+  double wallClock() const;  ///< since the run began [s]
+
+ private:
+  void removeOldFiles() const;
+  void draw(const Simulation<Dim>& simulation, const std::string& fileName) const;
+  void writeSummary(const Simulation<Dim>& simulation) const;
+
+  RunOptions options_;
+  CaseSettings settings_;
+  std::optional<FieldSet> fields_;
+  PvdSeries series_;
+  std::optional<History> history_;
+  std::vector<Figure> row_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+extern template class Recorder<1>;
+extern template class Recorder<2>;
+extern template class Recorder<3>;
+
+}  // namespace plenum

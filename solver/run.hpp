@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "particles/case_settings.hpp"
+#include "particles/scene.hpp"
+#include "solver/state_row.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace plenum {
+
+struct RunOptions {
+  std::filesystem::path folder;  ///< where everything is written
+  std::string name;              ///< of the scene, first part of file names
+  bool quiet = false;
+};
+
+/// Settings of the run: the case text in the particle file, changed by "key=value" pairs that may
+/// name keys of [solver], [output] and [measures] only. Throws InputError.
+template <int Dim>
+CaseSettings settingsOf(const SceneInfo<Dim>& info, const std::vector<std::string>& changes);
+
+/// Runs a scene to its end time and writes VTU files, their .pvd, history.csv, summary.json,
+/// pictures of the first and the last state and the last state as a particle file. If the run
+/// fails, the last finite state is written before the RunError leaves. Returns the figures of the
+/// last state.
+template <int Dim>
+std::vector<Figure> runScene(Scene<Dim> scene, const CaseSettings& settings,
+                             const RunOptions& options);
+
+/// What is modelled, what is not, and what a particle costs; lines for people.
+template <int Dim>
+std::string describeModel(const Simulation<Dim>& simulation);
+
+}  // namespace plenum

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/preflight.hpp"
+
+#include "particles/errors.hpp"
+#include "solver/simulation.hpp"
+#include "tests/support/jittered_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace plenum {
+namespace {
+
+/// The message of the error that this scene causes, "" if there is none.
+std::string refusal(const Scene<2>& scene, const SolverSettings& settings = {}) {
+  try {
+    Simulation<2> simulation(scene, settings);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+Scene<2> gas() { return test::jitteredScene<2>(10, false); }
+
+TEST(Preflight, AcceptsASoundScene) { EXPECT_EQ(refusal(gas()), ""); }
+
+TEST(Preflight, RefusesAnEmptySet) {
+  Scene<2> scene = gas();
+  scene.particles = ParticleSet<2>(scene.particles.fields(), 0, 0);
+  EXPECT_NE(refusal(scene).find("no fluid particle"), std::string::npos);
+}
+
+TEST(Preflight, NamesTheMissingField) {
+  Scene<2> scene = gas();
+  scene.particles.remove({field::mass});
+  EXPECT_NE(refusal(scene).find("mass (Masses)"), std::string::npos);
+}
+
+TEST(Preflight, NamesTheParticleWithABadValue) {
+  Scene<2> scene = gas();
+  scene.particles[field::mass][4] = -1;
+  EXPECT_NE(refusal(scene).find("particle 5: mass = -1"), std::string::npos);
+  scene = gas();
+  scene.particles[field::position][6][1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(refusal(scene).find("particle 7: position"), std::string::npos);
+}
+
+TEST(Preflight, NamesTheMissingLayersOfAThinWall) {
+  Scene<2> scene = gas();
+  scene.info.walls = {{"floor", "lattice", 2, 0.2, 1.0, {}}, {"lid", "lattice", 4, 0.4, 1.0, {}}};
+  SolverSettings settings;
+  settings.smoothingLength = 1.5;  // support 3 d_ref = 0.3 m
+  const std::string message = refusal(scene, settings);
+  EXPECT_NE(message.find("wall \"floor\" is 0.2 m thick, 1 layer of 0.1 m short"),
+            std::string::npos)
+      << message;
+  EXPECT_EQ(message.find("lid"), std::string::npos);
+  settings.smoothingLength = 1;
+  EXPECT_EQ(refusal(scene, settings), "");
+}
+
+TEST(Preflight, RefusesCollisionsBeyondTheSupport) {
+  SolverSettings settings;
+  settings.smoothingLength = 0.7;
+  settings.collisions = CollisionSettings{0.01, 1.5, "all"};
+  EXPECT_NE(refusal(gas(), settings).find("solver.collisions.range"), std::string::npos);
+}
+
+TEST(Simulation, StopsBeforeANonFiniteForceMovesAnything) {
+  SolverSettings settings;
+  settings.viscosity = ViscositySettings{MonaghanSettings{1, 1}};
+  Scene<2> scene = gas();
+  scene.particles[field::velocity][44] = {{1e200, 0}};  // its square overflows in mu^2
+  const std::vector<Vec<2>> before(scene.particles[field::position].begin(),
+                                   scene.particles[field::position].end());
+  Simulation<2> simulation(std::move(scene), settings);
+  try {
+    simulation.step(1e-4);
+    FAIL() << "no error";
+  } catch (const RunError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("force on particle"), std::string::npos) << message;
+    EXPECT_NE(message.find("t = "), std::string::npos) << message;
+  }
+  const auto order = test::byId(simulation.particles());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    EXPECT_EQ(simulation.particles()[field::position][order[k]], before[k]);
+}
+
+}  // namespace
+}  // namespace plenum
