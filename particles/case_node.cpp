@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -93,12 +94,34 @@ void CaseNode::fail(const std::string& message) const {
                                 : fmt::format("{}: {}: {}", where, what, message));
 }
 
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    if (c == '\n')
+      result += "\\n";
+    else
+      result += c;
+  }
+  return result + '"';
+}
+
+bool isBareKey(const std::string& key) {
+  return !key.empty() && std::ranges::all_of(key, [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-';
+  });
+}
+
+}  // namespace
+
 std::string CaseNode::printed() const {
   struct Printer {
     std::string operator()(bool b) const { return b ? "true" : "false"; }
     std::string operator()(std::int64_t i) const { return std::to_string(i); }
     std::string operator()(double d) const { return fmt::format("{}", d); }
-    std::string operator()(const std::string& s) const { return '"' + s + '"'; }
+    std::string operator()(const std::string& s) const { return quoted(s); }
     std::string operator()(const Array& items) const {
       std::string text;
       for (const CaseNode& item : items) text += (text.empty() ? "" : ", ") + item.printed();
@@ -107,7 +130,8 @@ std::string CaseNode::printed() const {
     std::string operator()(const Table& entries) const {
       std::string text;
       for (const auto& [key, node] : entries)
-        text += (text.empty() ? "" : ", ") + key + " = " + node.printed();
+        text += (text.empty() ? "" : ", ") + (isBareKey(key) ? key : quoted(key)) + " = " +
+                node.printed();
       return "{ " + text + " }";
     }
   };
