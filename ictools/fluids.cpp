@@ -86,7 +86,12 @@ std::vector<Vec<Dim>> randomPoints(const FluidFill<Dim>& fluid, double roundOff)
   Random random(static_cast<std::uint64_t>(fluid.settings.seed));
   std::vector<Vec<Dim>> points;
   std::vector<Vec<Dim>> trial;
-  while (points.size() < n) {
+  constexpr int maxRounds = 10000;  // a region that is one part in ten thousand of its bounds
+  for (int round = 0; points.size() < n; ++round) {
+    if (round == maxRounds)
+      at(fluid.settings.node, "region")
+          .fail(fmt::format("only {} of {} random points were found to lie inside: {}",
+                            points.size(), n, fluid.region->describe()));
     trial.clear();
     for (std::size_t k = points.size(); k < n; ++k) trial.push_back(random.pointIn(fluid.box));
     std::vector<double> distance(trial.size(), -1);

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// plenum-ic: from a case file to a particle file.
+#include "ictools/generate.hpp"
+#include "ictools/ic_settings.hpp"
+#include "particles/errors.hpp"
+#include "particles/particle_file.hpp"
+#include "particles/picture.hpp"
+#include "particles/version.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <type_traits>
+
+using namespace plenum;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+  std::string input;
+  std::string output;
+  std::string color = "velocity";
+  std::vector<std::string> set;
+  bool quiet = false;
+  bool markdown = false;
+};
+
+constexpr const char* examples = R"(
+Examples:
+  plenum-ic generate cases/rotating_shaft.toml
+  plenum-ic generate cases/gas_box.toml -o box.hdf --set spacing=0.025 --set fluid[0].seed=2
+  plenum-ic preview rotating_shaft.hdf -o shaft.png --color pressure
+  plenum-ic info rotating_shaft.hdf
+  plenum-ic help-case
+
+Exit codes: 0 ok, 1 the input is at fault, 2 failure.)";
+
+void warn(const std::string& message) {
+  std::cout.flush();
+  std::cerr << "plenum-ic: warning: " << message << std::endl;
+}
+
+/// Calls visit(std::integral_constant<int, Dim>) for the case's dimension.
+template <class Visit>
+void withDimension(int dimension, Visit&& visit) {
+  if (dimension == 1) visit(std::integral_constant<int, 1>{});
+  if (dimension == 2) visit(std::integral_constant<int, 2>{});
+  if (dimension == 3) visit(std::integral_constant<int, 3>{});
+}
+
+/// Reads the case with the values of --set, makes the scene and calls use(scene).
+template <class Use>
+void withGenerated(const Options& options, Use&& use) {
+  CaseNode root = CaseNode::load(options.input);
+  for (const std::string& assignment : options.set) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos)
+      throw InputError("--set " + assignment + ": write --set section.key=value");
+    root.set(assignment.substr(0, equals), assignment.substr(equals + 1));
+  }
+  const CaseSettings settings = readCase(root);
+  withDimension(settings.dimension, [&](auto dimension) {
+    use(plenum::generate<dimension.value>(root, settings, options.input, warn));
+  });
+}
+
+/// The file to write: as asked, or the input's name with another ending in the current folder.
+fs::path outputPath(const Options& options, const char* ending) {
+  if (!options.output.empty()) return options.output;
+  return fs::path(options.input).stem().concat(ending);
+}
+
+int runGenerate(const Options& options) {
+  const fs::path path = outputPath(options, ".hdf");
+  withGenerated(options, [&](const auto& scene) {
+    writeParticleFile(path, scene);
+    if (options.quiet) return;
+    std::cout << describe(scene);
+    std::cout << fmt::format("  {}: {:.2f} MB\nnext: plenum-sph run {}\n", path.string(),
+                             static_cast<double>(fs::file_size(path)) / 1e6, path.string());
+  });
+  return exitOk;
+}
+
+int runPreview(const Options& options) {
+  const fs::path path = outputPath(options, ".png");
+  const auto draw = [&](const auto& scene) {
+    drawParticles(path, scene.particles, pictureOptions(scene.info, options.color));
+    if (!options.quiet) std::cout << path.string() << '\n';
+  };
+  if (fs::path(options.input).extension() == ".toml")
+    withGenerated(options, draw);
+  else
+    withParticleFile(options.input, draw);
+  return exitOk;
+}
+
+int runInfo(const Options& options) {
+  withParticleFile(options.input, [&](const auto& scene) {
+    std::cout << describe(scene)
+              << fmt::format("  made by {} from {}, t = {:g} s\n", scene.info.generator,
+                             scene.info.caseName, scene.info.time);
+  });
+  return exitOk;
+}
+
+int runHelpCase(const Options& options) {
+  for (const SectionDoc& doc : caseDocs())
+    std::cout << (options.markdown ? doc.markdown() : doc.printed() + "\n");
+  return exitOk;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"plenum-ic: fills geometries with particles"};
+  app.footer(examples);
+  app.set_version_flag("--version", std::string(version));
+  app.require_subcommand(1);
+  const auto addSet = [&](CLI::App* command) {
+    command
+        ->add_option("--set", options.set, "a value of the case, instead of the file's: key=value")
+        ->allow_extra_args(false);
+    command->add_flag("--quiet", options.quiet, "print errors and warnings only");
+  };
+
+  CLI::App* generate = app.add_subcommand("generate", "make a particle file from a case");
+  generate->add_option("CASE", options.input, "case file (TOML)")->required();
+  generate->add_option("-o,--output", options.output, "particle file; absent: CASE's name + .hdf");
+  addSet(generate);
+  CLI::App* preview = app.add_subcommand("preview", "draw particles as PNG, without ParaView");
+  preview->add_option("FILE", options.input, "particle file (.hdf) or case (.toml)")->required();
+  preview->add_option("-o,--output", options.output, "picture; absent: FILE's name + .png");
+  preview->add_option("--color", options.color, "field that colours the particles");
+  addSet(preview);
+  CLI::App* info = app.add_subcommand("info", "say what a particle file holds");
+  info->add_option("FILE", options.input, "particle file (.hdf)")->required();
+  CLI::App* helpCase = app.add_subcommand("help-case", "all keys of a case file");
+  helpCase->add_flag("--markdown", options.markdown, "as tables for the docs");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exitOk : exitInputAtFault;
+  }
+  return runProgram("plenum-ic", [&] {
+    if (generate->parsed()) return runGenerate(options);
+    if (preview->parsed()) return runPreview(options);
+    if (info->parsed()) return runInfo(options);
+    return runHelpCase(options);
+  });
+}
