@@ -1,16 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/files.hpp"
 
+#include "geometry/mesh_file.hpp"
+#include "geometry/polygon_file.hpp"
+#include "geometry/surface_mesh.hpp"
+#include "geometry/text_reader.hpp"
 #include "particles/errors.hpp"
+
+#include <algorithm>
+#include <cctype>
 
 namespace plenum {
 
-template <int Dim>
-GeometryPtr<Dim> readGeometryFile(const std::filesystem::path& path, const FileOptions<Dim>&) {
-  throw InputError(path.string() + ": files are not read yet");
+namespace {
+
+enum class Kind { polygon, mesh, cad };
+
+std::string extensionOf(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return std::tolower(c); });
+  return extension;
 }
 
-template GeometryPtr<2> readGeometryFile<2>(const std::filesystem::path&, const FileOptions<2>&);
-template GeometryPtr<3> readGeometryFile<3>(const std::filesystem::path&, const FileOptions<3>&);
+Kind kindOf(const std::filesystem::path& path, int dimension) {
+  const std::string extension = extensionOf(path);
+  const auto isOneOf = [&](std::initializer_list<const char*> known) {
+    return std::ranges::find(known, extension) != known.end();
+  };
+  if (isOneOf({".geo", ".step", ".stp", ".brep", ".msh"})) return Kind::cad;
+  if (isOneOf({".wkt", ".txt", ".xy", ".dat"})) {
+    if (dimension == 2) return Kind::polygon;
+    throw InputError(path.string() +
+                     ": a polygon file is 2-D, the case has dimension = 3; give a "
+                     "closed triangle mesh or a CAD file");
+  }
+  if (isOneOf({".stl", ".obj", ".off", ".ply"})) {
+    if (dimension == 3) return Kind::mesh;
+    throw InputError(path.string() +
+                     ": a triangle mesh is 3-D, the case has dimension = 2; give a "
+                     "polygon file (.wkt) or a flat CAD file");
+  }
+  throw InputError(path.string() + ": files that end in '" + extension +
+                   "' are not read; give .geo .step .stp .brep .msh" +
+                   (dimension == 2 ? " .wkt .txt .xy .dat" : " .stl .obj .off .ply"));
+}
+
+Loop moved(Loop loop, const Placement<2>& placement) {
+  for (Vec<2>& x : loop) x = placement.apply(x);
+  return loop;
+}
+
+GeometryPtr<2> placedPolygon(std::vector<PolygonLoops> polygons, const Placement<2>& placement,
+                             const std::string& source, double tolerance) {
+  for (PolygonLoops& polygon : polygons) {
+    polygon.outer = moved(polygon.outer, placement);
+    for (Loop& hole : polygon.holes) hole = moved(hole, placement);
+  }
+  return makePolygon(std::move(polygons), source, tolerance);
+}
+
+GeometryPtr<3> placedMesh(TriangleSoup soup, const Placement<3>& placement,
+                          const std::string& source, double tolerance) {
+  for (Vec<3>& x : soup.points) x = placement.apply(x);
+  return makeSurfaceMesh(soup, source, tolerance);
+}
+
+}  // namespace
+
+template <>
+GeometryPtr<2> readGeometryFile<2>(const std::filesystem::path& path,
+                                   const FileOptions<2>& options) {
+  if (kindOf(path, 2) == Kind::polygon)
+    return placedPolygon(readPolygonFile(path), options.placement, path.string(), 0);
+  throw InputError(path.string() + ": CAD files are not read yet");
+}
+
+template <>
+GeometryPtr<3> readGeometryFile<3>(const std::filesystem::path& path,
+                                   const FileOptions<3>& options) {
+  if (kindOf(path, 3) == Kind::mesh)
+    return placedMesh(readMeshFile(path), options.placement, path.string(), 0);
+  throw InputError(path.string() + ": CAD files are not read yet");
+}
 
 }  // namespace plenum

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace plenum {
 
@@ -31,7 +32,10 @@ class Search {
   }
 
   void descendFrom(const Vec<Dim>& start, double reach) {
-    offer(descend(region_, x_, start, reach));
+    const Vec<Dim> end = descend(region_, x_, start, reach);
+    if (region_.value(end) > region_.resolution()) return;
+    minima_.push_back(end);
+    offer(end);
   }
 
   /// Where the way from x to an inner point enters the region.
@@ -64,6 +68,12 @@ class Search {
     return std::sqrt(sum);
   }
 
+  bool isNearMinimum(const Cell& cell) const {
+    return std::any_of(minima_.begin(), minima_.end(), [&](const Vec<Dim>& p) {
+      return normSquared(p - cell.center) < 9 * cell.half * cell.half;
+    });
+  }
+
   bool mayHoldNearer(const Cell& cell) const {
     return cell.value <= std::sqrt(double(Dim)) * cell.half + region_.resolution() &&
            lowerBound(cell) < distance_ * (1 - 1e-9);
@@ -75,6 +85,7 @@ class Search {
   Vec<Dim> x_;
   Vec<Dim> point_{};
   double distance_ = infinity;
+  std::vector<Vec<Dim>> minima_;  ///< where descents have ended
 };
 
 template <int Dim>
@@ -94,18 +105,18 @@ auto Search<Dim>::children(const std::vector<Cell>& cells) const -> std::vector<
 template <int Dim>
 void Search<Dim>::branchAndBound() {
   // Coincident surfaces keep whole sheets of cells alive: the number of cells is limited, and each
-  // that is left is followed to its local minimum.
+  // that is left is followed to its local minimum, unless one was found in its neighbourhood.
   constexpr std::size_t maxCells = Dim == 3 ? 1000 : 200;
-  constexpr int maxLevels = 12;
+  constexpr double finest = 1. / 64;
   const auto nearer = [this](const Cell& a, const Cell& b) {
     return lowerBound(a) < lowerBound(b);
   };
   std::vector<Cell> cells{{x_, distance_, region_.value(x_)}};
-  for (int level = 0; level < maxLevels && !cells.empty() && cells.size() < maxCells; ++level) {
+  while (!cells.empty() && cells.size() < maxCells && cells.front().half > finest * distance_) {
     cells = children(cells);
     if (cells.empty()) return;
     const Cell nearest = *std::min_element(cells.begin(), cells.end(), nearer);
-    descendFrom(nearest.center, 2 * nearest.half);
+    if (!isNearMinimum(nearest)) descendFrom(nearest.center, 2 * nearest.half);
     for (const Cell& cell : cells)
       if (cell.value <= 0) offer(cell.center);
     std::erase_if(cells, [this](const Cell& cell) { return !mayHoldNearer(cell); });
@@ -113,15 +124,15 @@ void Search<Dim>::branchAndBound() {
   std::sort(cells.begin(), cells.end(), nearer);
   for (const Cell& cell : cells) {
     if (lowerBound(cell) >= distance_) break;
-    descendFrom(cell.center, 2 * cell.half);
+    if (!isNearMinimum(cell)) descendFrom(cell.center, 2 * cell.half);
   }
-  if (distance_ < infinity) descendFrom(point_, 0.1 * distance_);
+  descendFrom(point_, 0.1 * distance_);
 }
 
-/// Constraints value + normal . (z - y) <= 0, at most six of them.
+/// Constraints value + normal . (z - y) <= 0, the eight that matter most.
 template <int Dim>
 struct Constraints {
-  static constexpr int most = 6;
+  static constexpr int most = 8;
   int n = 0;
   std::array<double, most> value{};  ///< at the point that is projected
   std::array<Vec<Dim>, most> normal{};
@@ -133,15 +144,16 @@ template <int Dim>
 struct Projection {
   Vec<Dim> shift{};
   std::array<double, Constraints<Dim>::most> lambda{};
+  double violation = infinity;  ///< of the worst constraint afterwards [m]
 };
 
 /// Projects onto the constraints `active` taken as equations (Gaussian elimination with pivots);
-/// false if they are dependent, if one would have to pull, or if another constraint is violated.
+/// false if they are dependent or if one would have to pull.
 template <int Dim>
-bool projectOnto(const Constraints<Dim>& c, std::span<const std::size_t> active, double zero,
+bool projectOnto(const Constraints<Dim>& c, std::span<const std::size_t> active,
                  Projection<Dim>& result) {
   const std::size_t n = active.size();
-  std::array<std::array<double, Dim + 1>, Dim> m{};
+  std::array<std::array<double, 4>, 3> m{};
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) m[i][j] = dot(c.normal[active[i]], c.normal[active[j]]);
     m[i][n] = c.value[active[i]];
@@ -164,36 +176,39 @@ bool projectOnto(const Constraints<Dim>& c, std::span<const std::size_t> active,
     result.lambda[active[k]] = lambda;
     result.shift -= lambda * c.normal[active[k]];
   }
+  result.violation = 0;
   for (std::size_t k = 0; k < std::size_t(c.n); ++k)
-    if (c.value[k] + dot(c.normal[k], result.shift) > zero) return false;
+    result.violation = std::max(result.violation, c.value[k] + dot(c.normal[k], result.shift));
   return true;
 }
 
-/// Tries every set of at most `Dim` active constraints; without a solution, onto the most violated.
+/// Tries every set of at most `Dim` active constraints. Where none satisfies all: the one that
+/// comes nearest to it.
 template <int Dim>
 Projection<Dim> project(const Constraints<Dim>& c, double zero) {
-  Projection<Dim> result;
+  Projection<Dim> best;
   std::array<std::size_t, 3> active{};
   const auto solved = [&](std::size_t n) {
-    return projectOnto(c, std::span<const std::size_t>(active).first(n), zero, result);
+    Projection<Dim> result;
+    if (projectOnto(c, std::span<const std::size_t>(active).first(n), result) &&
+        result.violation < best.violation)
+      best = result;
+    return best.violation <= zero;
   };
-  if (solved(0)) return result;
+  if (solved(0)) return best;
   const auto n = std::size_t(c.n);
   for (active[0] = 0; active[0] < n; ++active[0])
-    if (solved(1)) return result;
+    if (solved(1)) return best;
   if constexpr (Dim >= 2)
     for (active[0] = 0; active[0] < n; ++active[0])
       for (active[1] = 0; active[1] < active[0]; ++active[1])
-        if (solved(2)) return result;
+        if (solved(2)) return best;
   if constexpr (Dim >= 3)
     for (active[0] = 0; active[0] < n; ++active[0])
       for (active[1] = 0; active[1] < active[0]; ++active[1])
         for (active[2] = 0; active[2] < active[1]; ++active[2])
-          if (solved(3)) return result;
-  result = {};
-  result.lambda[0] = c.value[0];  // they come sorted, the most violated first
-  result.shift = -c.value[0] * c.normal[0];
-  return result;
+          if (solved(3)) return best;
+  return best;
 }
 
 }  // namespace
@@ -213,36 +228,85 @@ Vec<Dim> nearestCommonPoint(const CommonRegion<Dim>& region, const Vec<Dim>& x,
 
 namespace {
 
-/// The parts at one point: what the linearisation needs.
+/// All parts at one point.
 template <int Dim>
-struct Linearised {
+struct Parts {
   Vec<Dim> at;
   std::vector<SurfacePoint<Dim>> hits;
   double value = -infinity;
 
-  Linearised(const CommonRegion<Dim>& region, const Vec<Dim>& y) : at(y) {
+  Parts(const CommonRegion<Dim>& region, const Vec<Dim>& y) : at(y) {
     hits.reserve(region.parts().size());
     for (const Part<Dim>& part : region.parts()) {
       hits.push_back(part.closest(y));
       value = std::max(value, hits.back().signedDistance);
     }
   }
+};
 
-  /// The constraints that matter most to the point at + shift.
+/// The parts near a point as half-spaces. A part has one at the point itself, and others from
+/// points nearby where they do not contradict it: near an edge of the part one is not enough.
+template <int Dim>
+class Bundle {
+ public:
+  explicit Bundle(double zero) : zero_(zero) {}
+
+  /// Moves to `y`: its own half-spaces, and those of before that still hold.
+  void moveTo(const Parts<Dim>& y) {
+    const std::vector<Plane> before = std::move(planes_);
+    planes_.clear();
+    at_ = y;
+    for (std::size_t part = 0; part < y.hits.size(); ++part)
+      planes_.push_back({y.hits[part].signedDistance, y.hits[part].normal, part});
+    for (const Plane& plane : before)
+      add({plane.value + dot(plane.normal, y.at - from_), plane.normal, plane.part});
+    from_ = y.at;
+  }
+
+  /// Adds what holds at another point; true if that was news.
+  bool learnFrom(const Parts<Dim>& other) {
+    const std::size_t n = planes_.size();
+    for (std::size_t part = 0; part < other.hits.size(); ++part) {
+      const SurfacePoint<Dim>& hit = other.hits[part];
+      add({hit.signedDistance + dot(hit.normal, from_ - other.at), hit.normal, part});
+    }
+    return planes_.size() > n;
+  }
+
+  /// Those that matter most to the point at + shift.
   Constraints<Dim> constraints(const Vec<Dim>& shift) const {
     std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t k = 0; k < hits.size(); ++k)
-      order.push_back({-(hits[k].signedDistance + dot(hits[k].normal, shift)), k});
+    for (std::size_t k = 0; k < planes_.size(); ++k)
+      order.push_back({-(planes_[k].value + dot(planes_[k].normal, shift)), k});
     std::sort(order.begin(), order.end());
     Constraints<Dim> c;
     c.n = static_cast<int>(std::min<std::size_t>(order.size(), Constraints<Dim>::most));
     for (std::size_t i = 0; i < std::size_t(c.n); ++i) {
       c.value[i] = -order[i].first;
-      c.part[i] = order[i].second;
-      c.normal[i] = hits[c.part[i]].normal;
+      c.normal[i] = planes_[order[i].second].normal;
+      c.part[i] = planes_[order[i].second].part;
     }
     return c;
   }
+
+ private:
+  struct Plane {
+    double value;  ///< at the current point
+    Vec<Dim> normal;
+    std::size_t part;
+  };
+
+  void add(const Plane& plane) {
+    if (plane.value > at_->hits[plane.part].signedDistance + zero_) return;
+    for (const Plane& known : planes_)
+      if (known.part == plane.part && dot(known.normal, plane.normal) > 0.9999) return;
+    if (planes_.size() < 4 * at_->hits.size() + 4) planes_.push_back(plane);
+  }
+
+  double zero_;
+  Vec<Dim> from_{};
+  std::optional<Parts<Dim>> at_;
+  std::vector<Plane> planes_;
 };
 
 }  // namespace
@@ -253,26 +317,28 @@ Vec<Dim> descend(const CommonRegion<Dim>& region, const Vec<Dim>& x, const Vec<D
   constexpr int maxSteps = 60;
   constexpr double penalty = 20;  // exact for wedges wider than about 6 degrees
   const double zero = 1e-4 * region.resolution();
-  const auto merit = [&](const Linearised<Dim>& y) {
+  const auto merit = [&](const Parts<Dim>& y) {
     return norm(y.at - x) + penalty * std::max(0., y.value);
   };
 
-  Linearised<Dim> y(region, start);
+  Parts<Dim> y(region, start);
+  Bundle<Dim> bundle(zero);
+  bundle.moveTo(y);
   double stepAlong = 1;  // 1 = the full way to x, what is right on flat surfaces
   double lastStep = infinity;
   for (int k = 0; k < maxSteps; ++k) {
     const Vec<Dim> towards = stepAlong * (x - y.at);
-    const Constraints<Dim> constraints = y.constraints(towards);
+    const Constraints<Dim> constraints = bundle.constraints(towards);
     const Projection<Dim> onto = project(constraints, zero);
     Vec<Dim> step = towards + onto.shift;
     const double length = norm(step);
     if (length > reach) step *= reach / length;
     if (std::min(length, reach) < zero) break;
 
-    Linearised<Dim> next(region, y.at + step);
+    const Parts<Dim> next(region, y.at + step);
     if (merit(next) > merit(y) && length > 0.5 * lastStep) {
-      reach = 0.4 * std::min(reach, length);
-      lastStep = infinity;
+      if (!bundle.learnFrom(next)) reach = 0.4 * std::min(reach, length);
+      lastStep = 0;
       continue;
     }
     // Curvature: how the normals that balance x - y turn along the step.
@@ -285,6 +351,7 @@ Vec<Dim> descend(const CommonRegion<Dim>& region, const Vec<Dim>& x, const Vec<D
     stepAlong = along > 0 ? std::clamp(normSquared(step) / along, 0.01, 10.) : 1;
     lastStep = length;
     y = next;
+    bundle.moveTo(y);
   }
   return y.at;
 }

@@ -78,7 +78,9 @@ void expectTrueDistances(const Geometry<Dim>& geometry, const Member<Dim>& membe
     const double distance = std::abs(hit.signedDistance);
     ASSERT_NEAR(hit.signedDistance, distances[k], roundOff);
     ASSERT_EQ(inside[k] != 0, distances[k] < 0);
-    if (distance > roundOff) ASSERT_EQ(hit.signedDistance < 0, member(x));
+    if (distance > roundOff) {
+      ASSERT_EQ(hit.signedDistance < 0, member(x));
+    }
     ASSERT_NEAR(norm(hit.normal), 1, 1e-12);
     ASSERT_NEAR(norm(x - hit.point - hit.signedDistance * hit.normal), 0, roundOff);
     ASSERT_TRUE(isOnSurface(member, hit.point, 1e-6 * size, random));
@@ -87,7 +89,9 @@ void expectTrueDistances(const Geometry<Dim>& geometry, const Member<Dim>& membe
       const Vec<Dim> y = x + r * random.direction();
       ASSERT_EQ(member(x), member(y)) << "nearer: " << testing::PrintToString(y.components);
     }
-    if (member(x)) ASSERT_TRUE(geometry.bounds().grown(roundOff).contains(x));
+    if (member(x)) {
+      ASSERT_TRUE(geometry.bounds().grown(roundOff).contains(x));
+    }
   }
 }
 

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One of the two sources that see CGAL.
+#include "geometry/surface_mesh.hpp"
+
+#include "geometry/print.hpp"
+#include "particles/errors.hpp"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace plenum {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Tree =
+    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
+
+Kernel::Point_3 toPoint(const Vec<3>& x) { return {x[0], x[1], x[2]}; }
+Vec<3> toVec(const Kernel::Point_3& x) { return {{x.x(), x.y(), x.z()}}; }
+
+/// Faces of the mesh are numbered as the triangles of the soup.
+Mesh toMesh(const TriangleSoup& soup, const std::string& source) {
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> vertices;
+  for (const Vec<3>& x : soup.points) vertices.push_back(mesh.add_vertex(toPoint(x)));
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    const auto& [a, b, c] = soup.triangles[t];
+    if (mesh.add_face(vertices[a], vertices[b], vertices[c]) == Mesh::null_face())
+      throw InputError(
+          fmt::format("{}: the surface touches itself in a point near {}; part it "
+                      "there in the meshing tool",
+                      source, printed(soup.center(t))));
+  }
+  return mesh;
+}
+
+void checkSelfIntersections(const Mesh& mesh, const TriangleSoup& soup, const std::string& source) {
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
+  CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+  if (pairs.empty()) return;
+  throw InputError(fmt::format(
+      "{}: the surface crosses itself: {} pair{} of triangles, the first near {}; mend it in the "
+      "meshing tool or join its parts with a boolean union there",
+      source, pairs.size(), pairs.size() == 1 ? "" : "s",
+      printed(soup.center(std::size_t(pairs.front().first)))));
+}
+
+/// Normals that give the right side wherever on the surface the nearest point lies: of faces, of
+/// edges (mean of both faces) and of corners (mean weighted with the angles). Baerentzen & Aanaes
+/// (2005), doi 10.1109/TVCG.2005.49.
+class PseudoNormals {
+ public:
+  explicit PseudoNormals(const TriangleSoup& soup) : corners_(soup.points.size()) {
+    std::map<std::pair<std::size_t, std::size_t>, Vec<3>> edgeSums;
+    const auto key = [](std::size_t a, std::size_t b) {
+      return std::pair(std::min(a, b), std::max(a, b));
+    };
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+      const Vec<3> area =
+          cross(soup.corner(t, 1) - soup.corner(t, 0), soup.corner(t, 2) - soup.corner(t, 0));
+      faces_.push_back(area / norm(area));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = soup.triangles[t][(k + 1) % 3];
+        const Vec<3> u = soup.corner(t, (k + 1) % 3) - soup.corner(t, k);
+        const Vec<3> v = soup.corner(t, (k + 2) % 3) - soup.corner(t, k);
+        corners_[soup.triangles[t][k]] += std::atan2(norm(cross(u, v)), dot(u, v)) * faces_[t];
+        edgeSums[key(soup.triangles[t][k], next)] += faces_[t];
+      }
+    }
+    edges_.resize(soup.triangles.size());
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        edges_[t][k] = edgeSums[key(soup.triangles[t][k], soup.triangles[t][(k + 1) % 3])];
+  }
+
+  const Vec<3>& face(std::size_t t) const { return faces_[t]; }
+  /// Of the edge from corner k of triangle t to the next.
+  const Vec<3>& edge(std::size_t t, std::size_t k) const { return edges_[t][k]; }
+  const Vec<3>& corner(std::size_t point) const { return corners_[point]; }
+
+ private:
+  std::vector<Vec<3>> faces_;
+  std::vector<std::array<Vec<3>, 3>> edges_;
+  std::vector<Vec<3>> corners_;
+};
+
+class SurfaceMesh final : public Geometry<3> {
+ public:
+  using Geometry<3>::closest;
+
+  SurfaceMesh(TriangleSoup soup, Mesh mesh, std::string description, double tolerance)
+      : soup_(std::move(soup)),
+        normals_(soup_),
+        mesh_(std::move(mesh)),
+        tree_(faces(mesh_).begin(), faces(mesh_).end(), mesh_),
+        description_(std::move(description)),
+        tolerance_(tolerance),
+        volume_(signedVolume(soup_)) {
+    tree_.build();
+    tree_.accelerate_distance_queries();  // now, so that queries only read
+    side_ = std::make_unique<Side>(tree_);
+    for (const Vec<3>& x : soup_.points) bounds_.extend(x);
+    size_ = std::max(norm(bounds_.lower), norm(bounds_.upper));
+  }
+
+  void closest(std::span<const Vec<3>> points, std::span<SurfacePoint<3>> result) const override {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const auto hit = tree_.closest_point_and_primitive(toPoint(points[k]));
+      result[k] = onTriangle(std::size_t(hit.second), toVec(hit.first), points[k]);
+    }
+  }
+
+  Box<3> bounds() const override { return bounds_; }
+  Measure volume() const override { return {volume_, 0}; }
+  double tolerance() const override { return tolerance_; }
+  std::string describe() const override {
+    return fmt::format("surface of {} triangles ({})", soup_.triangles.size(), description_);
+  }
+
+ private:
+  using Side = CGAL::Side_of_triangle_mesh<Mesh, Kernel>;
+
+  /// `nearest` on triangle t, seen from x.
+  SurfacePoint<3> onTriangle(std::size_t t, const Vec<3>& nearest, const Vec<3>& x) const {
+    bool onFace = false;
+    const Vec<3> normal = normalAt(t, nearest, onFace);
+    const Vec<3> way = x - nearest;
+    const double distance = norm(way);
+    const double along = dot(way, normal);
+    if (distance <= 1e-14 * size_) return {nearest, normal, 0};
+
+    // The pseudo-normal decides unless x lies almost in the tangent plane of a sharp edge or so
+    // near that round-off matters; then exact rays do.
+    double sign = along < 0 ? -1 : 1;
+    if (std::abs(along) < 1e-6 * distance || distance < 1e-9 * size_) {
+      const CGAL::Bounded_side side = (*side_)(toPoint(x));
+      if (side == CGAL::ON_BOUNDARY) return {nearest, normal, 0};
+      sign = side == CGAL::ON_BOUNDED_SIDE ? -1 : 1;
+    }
+    if (!onFace) return {nearest, sign / distance * way, sign * distance};
+    const double height = sign * std::abs(dot(x - soup_.corner(t, 0), normal));
+    return {x - height * normal, normal, height};
+  }
+
+  /// The unit pseudo-normal of the face, edge or corner on which p lies.
+  Vec<3> normalAt(std::size_t t, const Vec<3>& p, bool& onFace) const {
+    std::array<bool, 3> onEdge{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec<3> from = soup_.corner(t, k);
+      const Vec<3> along = soup_.corner(t, (k + 1) % 3) - from;
+      const double height = dot(cross(normals_.face(t), along), p - from) / norm(along);
+      onEdge[k] = height < 1e-10 * size_;
+    }
+    onFace = false;
+    Vec<3> normal = normals_.face(t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (onEdge[k] && onEdge[(k + 2) % 3]) {
+        normal = normals_.corner(soup_.triangles[t][k]);
+        return normal / norm(normal);
+      }
+      if (onEdge[k]) normal = normals_.edge(t, k);
+    }
+    onFace = !(onEdge[0] || onEdge[1] || onEdge[2]);
+    return normal / norm(normal);
+  }
+
+  TriangleSoup soup_;
+  PseudoNormals normals_;
+  Mesh mesh_;
+  Tree tree_;
+  std::unique_ptr<Side> side_;
+  Box<3> bounds_ = Box<3>::nothing();
+  std::string description_;
+  double tolerance_;
+  double volume_;
+  double size_ = 0;
+};
+
+}  // namespace
+
+GeometryPtr<3> makeSurfaceMesh(const TriangleSoup& soup, const std::string& source,
+                               double tolerance) {
+  for (const Vec<3>& x : soup.points)
+    if (!std::isfinite(norm(x)))
+      throw InputError(source + ": a corner is not finite; coordinates must be numbers");
+  TriangleSoup clean = welded(soup);
+  checkClosedSurface(clean, source);
+  Mesh mesh = toMesh(clean, source);
+  checkSelfIntersections(mesh, clean, source);
+  return std::make_shared<const SurfaceMesh>(std::move(clean), std::move(mesh), source, tolerance);
+}
+
+}  // namespace plenum

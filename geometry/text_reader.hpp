@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace plenum {
+
+/// All bytes of a file. Throws InputError if it is missing, a folder, empty or cannot be read.
+std::string readWholeFile(const std::filesystem::path& path);
+
+/// Words of a text, with their line for messages.
+class TextReader {
+ public:
+  /// `text` must outlive the reader; `source` begins every message.
+  TextReader(std::string_view text, std::string source) : rest_(text), source_(std::move(source)) {}
+
+  /// The next word, "" at the end. Words are parted by blanks; `comment` to the end of the line is
+  /// passed over.
+  std::string_view word(char comment = '\0');
+
+  /// The rest of the current line, without its end; moves to the next.
+  std::string_view restOfLine();
+
+  /// The next word as a finite number, or as a count.
+  double number(char comment = '\0');
+  std::size_t count(char comment = '\0');
+
+  bool atEnd();
+  int line() const { return line_; }
+  std::string_view rest() const { return rest_; }
+
+  /// Throws InputError "source:line: message".
+  [[noreturn]] void fail(const std::string& message) const;
+
+  /// The word as a finite number; fails if it is none.
+  double toNumber(std::string_view word) const;
+
+ private:
+  void skipBlanks(char comment);
+
+  std::string_view rest_;
+  std::string source_;
+  int line_ = 1;
+};
+
+}  // namespace plenum

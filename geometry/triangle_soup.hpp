@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "particles/vec.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace plenum {
+
+/// Triangles as a file has them; corners counter-clockwise seen from outside.
+struct TriangleSoup {
+  std::vector<Vec<3>> points;  ///< [m]
+  std::vector<std::array<std::size_t, 3>> triangles;
+
+  Vec<3> corner(std::size_t triangle, std::size_t k) const {
+    return points[triangles[triangle][k]];
+  }
+  Vec<3> center(std::size_t triangle) const {
+    return (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2)) / 3;
+  }
+};
+
+constexpr Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
+  return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+}
+
+/// Volume by the divergence theorem [m^3], negative if the surface is inside out.
+double signedVolume(const TriangleSoup& soup);
+
+/// Corners nearer than 1e-9 of the size become one (STL repeats them for each triangle); triangles
+/// that collapse by it and corners of no triangle are dropped.
+TriangleSoup welded(const TriangleSoup& soup);
+
+/// Throws InputError that says where unless the welded `soup` is a closed surface of one side: no
+/// triangle without area, every edge between exactly two triangles that run opposite ways along it,
+/// outside where the corners run counter-clockwise, inner shells (cavities) the other way round.
+void checkClosedSurface(const TriangleSoup& soup, const std::string& source);
+
+}  // namespace plenum
