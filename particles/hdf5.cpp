@@ -5,7 +5,6 @@
 #include "particles/errors.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -66,38 +65,6 @@ Reason lastReason() {
   return reason;
 }
 
-Handle variableText() {
-  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type.get(), H5T_VARIABLE);
-  H5Tset_cset(type.get(), H5T_CSET_UTF8);
-  return type;
-}
-
-Handle space(const std::vector<hsize_t>& shape) {
-  return shape.empty()
-             ? Handle(H5Screate(H5S_SCALAR), H5Sclose)
-             : Handle(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
-                      H5Sclose);
-}
-
-std::vector<const char*> pointersTo(const std::vector<std::string>& texts) {
-  std::vector<const char*> pointers;
-  for (const std::string& text : texts) pointers.push_back(text.c_str());
-  return pointers;
-}
-
-/// Moves strings that HDF5 allocated into ours.
-std::vector<std::string> taken(const std::vector<char*>& pointers) {
-  std::vector<std::string> texts;
-  for (char* pointer : pointers) {
-    texts.emplace_back(pointer == nullptr ? "" : pointer);
-    H5free_memory(pointer);
-  }
-  return texts;
-}
-
-constexpr hsize_t chunkLength = 1u << 16;
-
 }  // namespace
 
 void Origin::fail(const std::string& what) const {
@@ -106,6 +73,14 @@ void Origin::fail(const std::string& what) const {
   const std::string because = reason.text.empty() ? "" : " (HDF5: " + reason.text + ")";
   if (writing) throw RunError(fmt::format("{}: {}{}", file, what, because));
   throw InputError(fmt::format("{}: {}{}; generate the particle file again", file, what, because));
+}
+
+Handle textType(std::size_t length, H5T_cset_t set) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), std::max(length, std::size_t{1}));
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+  H5Tset_cset(type.get(), set);
+  return type;
 }
 
 void Group::fail(const std::string& name, const std::string& what) const {
@@ -141,151 +116,10 @@ bool Group::has(const std::string& name) const {
   return found;
 }
 
-void Group::writeRaw(const std::string& name, hid_t type, const void* data,
-                     const std::vector<hsize_t>& shape, bool compressed) const {
-  const Handle dataSpace = space(shape);
-  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  if (compressed && shape[0] > 0) {
-    const hsize_t chunk = std::min(shape[0], chunkLength);
-    H5Pset_chunk(properties.get(), 1, &chunk);
-    H5Pset_deflate(properties.get(), 6);
-  }
-  Handle set(H5Dcreate2(handle_.get(), name.c_str(), type, dataSpace.get(), H5P_DEFAULT,
-                        properties.get(), H5P_DEFAULT),
-             H5Dclose);
-  if (!set.valid() || H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0 ||
-      !set.close())
-    fail(name, "cannot be written");
-}
-
-void Group::writeText(const std::string& name, const std::string& text) const {
-  const char* pointer = text.c_str();
-  writeRaw(name, variableText().get(), &pointer, {});
-}
-
-void Group::writeTexts(const std::string& name, const std::vector<std::string>& texts) const {
-  const auto pointers = pointersTo(texts);
-  writeRaw(name, variableText().get(), pointers.data(), {pointers.size()});
-}
-
 void Group::link(const std::string& name, const Group& group, const std::string& target) const {
   if (H5Lcreate_hard(group.handle_.get(), target.c_str(), handle_.get(), name.c_str(), H5P_DEFAULT,
                      H5P_DEFAULT) < 0)
     fail(name, "cannot be written");
-}
-
-void Group::setRaw(const std::string& name, hid_t type, const void* data, std::size_t n,
-                   const std::string& of) const {
-  const Handle dataSpace = space(n == 0 ? std::vector<hsize_t>{} : std::vector<hsize_t>{n});
-  Handle attribute(H5Acreate_by_name(handle_.get(), of.c_str(), name.c_str(), type, dataSpace.get(),
-                                     H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                   H5Aclose);
-  if (!attribute.valid() || H5Awrite(attribute.get(), type, data) < 0 || !attribute.close())
-    fail(of, "cannot take the attribute " + name);
-}
-
-void Group::setText(const std::string& name, const std::string& text, const std::string& of) const {
-  const char* pointer = text.c_str();
-  setRaw(name, variableText().get(), &pointer, 0, of);
-}
-
-void Group::setTexts(const std::string& name, const std::vector<std::string>& texts) const {
-  const auto pointers = pointersTo(texts);
-  setRaw(name, variableText().get(), pointers.data(), pointers.size(), ".");
-}
-
-void Group::setFixedText(const std::string& name, const std::string& text) const {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type.get(), text.size());
-  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
-  setRaw(name, type.get(), text.data(), 0, ".");
-}
-
-Handle Group::dataset(const std::string& name) const {
-  if (!has(name)) fail(name, "is missing");
-  Handle set(H5Dopen2(handle_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!set.valid()) fail(name, "cannot be read as a dataset");
-  return set;
-}
-
-std::vector<hsize_t> Group::shape(const std::string& name) const {
-  const Handle set = dataset(name);
-  const Handle dataSpace(H5Dget_space(set.get()), H5Sclose);
-  const int rank = dataSpace.valid() ? H5Sget_simple_extent_ndims(dataSpace.get()) : -1;
-  if (rank < 0) fail(name, "has no readable shape");
-  std::vector<hsize_t> lengths(static_cast<std::size_t>(rank));
-  H5Sget_simple_extent_dims(dataSpace.get(), lengths.data(), nullptr);
-  // A damaged length must not make us allocate the moon: zlib never shrinks more than 1032-fold.
-  double elements = 1;
-  for (hsize_t length : lengths) elements *= static_cast<double>(length);
-  const Handle properties(H5Dget_create_plist(set.get()), H5Pclose);
-  const bool chunked = H5Pget_layout(properties.get()) == H5D_CHUNKED;
-  if (elements > static_cast<double>(origin_->bytes) * (chunked ? 1032 : 1))
-    fail(name, "claims more values than the file can hold");
-  return lengths;
-}
-
-void Group::checkShape(const std::string& name, const std::vector<hsize_t>& wanted) const {
-  const std::vector<hsize_t> found = shape(name);
-  if (found != wanted)
-    fail(name, fmt::format("has the shape ({}), must have ({})", fmt::join(found, ", "),
-                           fmt::join(wanted, ", ")));
-}
-
-void Group::readRaw(const std::string& name, hid_t type, void* data) const {
-  const Handle set = dataset(name);
-  if (H5Dread(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
-    fail(name, "cannot be read");
-}
-
-std::string Group::readText(const std::string& name) const {
-  if (!shape(name).empty()) fail(name, "is not one text");
-  std::vector<char*> pointer(1);
-  readRaw(name, variableText().get(), pointer.data());
-  return taken(pointer)[0];
-}
-
-std::vector<std::string> Group::readTexts(const std::string& name) const {
-  const std::vector<hsize_t> lengths = shape(name);
-  if (lengths.size() != 1) fail(name, "is not a list of texts");
-  std::vector<char*> pointers(lengths[0]);
-  readRaw(name, variableText().get(), pointers.data());
-  return taken(pointers);
-}
-
-Handle Group::openAttribute(const std::string& name) const {
-  Handle attribute(H5Aopen(handle_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
-  if (!attribute.valid()) {
-    H5Eclear2(H5E_DEFAULT);
-    fail(".", "lacks the attribute " + name);
-  }
-  return attribute;
-}
-
-void Group::getRaw(const std::string& name, hid_t type, void* data, std::size_t n) const {
-  const Handle attribute = openAttribute(name);
-  const Handle dataSpace(H5Aget_space(attribute.get()), H5Sclose);
-  const hssize_t found = H5Sget_simple_extent_npoints(dataSpace.get());
-  if (found != static_cast<hssize_t>(n))
-    fail(".", fmt::format("has an attribute {} of {} values, must have {}", name, found, n));
-  if (H5Aread(attribute.get(), type, data) < 0)
-    fail(".", "has an attribute " + name + " that cannot be read");
-}
-
-std::string Group::text(const std::string& name) const {
-  std::vector<char*> pointer(1);
-  getRaw(name, variableText().get(), pointer.data(), 1);
-  return taken(pointer)[0];
-}
-
-std::vector<std::string> Group::texts(const std::string& name) const {
-  const Handle attribute = openAttribute(name);
-  const Handle dataSpace(H5Aget_space(attribute.get()), H5Sclose);
-  const hssize_t n = H5Sget_simple_extent_npoints(dataSpace.get());
-  if (n < 0 || n > 4096) fail(".", "has an attribute " + name + " that cannot be read");
-  std::vector<char*> pointers(static_cast<std::size_t>(n));
-  if (n > 0) getRaw(name, variableText().get(), pointers.data(), pointers.size());
-  return taken(pointers);
 }
 
 File::File(Handle handle, std::unique_ptr<Origin> origin)

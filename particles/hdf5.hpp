@@ -41,9 +41,27 @@ class Handle {
   Close close_ = nullptr;
 };
 
-/// The type of a number in memory and in the file (both little-endian on all machines we know).
+/// The type of a number, in memory and in the file.
 template <class T>
 hid_t typeOf();
+template <>
+hid_t typeOf<double>();
+template <>
+hid_t typeOf<std::int8_t>();
+template <>
+hid_t typeOf<std::uint8_t>();
+template <>
+hid_t typeOf<std::int32_t>();
+template <>
+hid_t typeOf<std::uint32_t>();
+template <>
+hid_t typeOf<std::int64_t>();
+template <>
+hid_t typeOf<std::uint64_t>();
+
+/// Texts of one length, the longest. Not HDF5's texts of variable length: the library crashes when
+/// the heap that holds them is damaged.
+Handle textType(std::size_t length, H5T_cset_t set = H5T_CSET_UTF8);
 
 /// Where messages come from and which kind of error they are.
 struct Origin {
@@ -92,8 +110,8 @@ class Group {
   }
   void setText(const std::string& name, const std::string& text, const std::string& of = ".") const;
   void setTexts(const std::string& name, const std::vector<std::string>& texts) const;
-  /// VTK wants a fixed-length ASCII string.
-  void setFixedText(const std::string& name, const std::string& text) const;
+  /// VTK wants ASCII, not UTF-8.
+  void setAsciiText(const std::string& name, const std::string& text) const;
 
   /// The lengths along the axes of a dataset. Throws InputError if it is missing.
   std::vector<hsize_t> shape(const std::string& name) const;
@@ -126,6 +144,7 @@ class Group {
   [[noreturn]] void fail(const std::string& name, const std::string& what) const;
 
  private:
+  std::vector<std::string> readAllTexts(const std::string& name, std::size_t n) const;
   static std::vector<hsize_t> shapeFor(std::size_t n, int columns);
   std::string pathOf(const std::string& name) const;
   Handle dataset(const std::string& name) const;

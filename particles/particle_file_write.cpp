@@ -110,7 +110,7 @@ void writeVtk(const Group& vtk, const Group& partType0, const ParticleSet<Dim>& 
               const std::vector<std::string>& names, bool ownPoints) {
   const auto n = static_cast<std::int64_t>(particles.size());
   vtk.setAttributes<std::int64_t>("Version", std::array<std::int64_t, 2>{1, 0});
-  vtk.setFixedText("Type", "UnstructuredGrid");
+  vtk.setAsciiText("Type", "UnstructuredGrid");
   for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
     vtk.write<std::int64_t>(name, std::array<std::int64_t, 1>{n});
   std::vector<std::int64_t> offsets(particles.size() + 1);

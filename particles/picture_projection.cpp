@@ -78,7 +78,9 @@ Box<Dim> defaultView(const ParticleSet<Dim>& particles, const std::optional<Box<
     if (isFinite(x)) box.extend(x);
   if (container) return box.extend(*container);
   const bool hasWalls = particles.nWalls() > 0;
-  box.extend(robustBounds<Dim>(positions.first(particles.nFluid()), hasWalls ? 0.05 : 0.01));
+  const Box<Dim> fluid =
+      robustBounds<Dim>(positions.first(particles.nFluid()), hasWalls ? 0.05 : 0.01);
+  if (fluid.isFinite()) box.extend(fluid);
   if (!box.isFinite()) throw InputError("no picture: no particle has a finite position");
   return box;
 }

@@ -51,7 +51,7 @@ def check_gadget(file, name):
     assert file["Units"].attrs["Unit length in cgs (U_L)"] == 100
     assert file["Units"].attrs["Unit mass in cgs (U_M)"] == 1000
     for key, unit in UNITS.items():
-        assert gas[key].attrs["Unit"] == unit, key
+        assert gas[key].attrs["Unit"].decode() == unit, key
         assert gas[key].shape == ((n, 3) if key in ("Coordinates", "Velocities") else (n,)), key
         assert gas[key].dtype == ("u8" if key == "ParticleIDs" else "f8"), key
         assert gas[key].chunks is None, key
@@ -64,7 +64,7 @@ def check_gadget(file, name):
         assert (gas["MaterialIDs"][:][walls] == -1).all() and (gas["WallIDs"][:][~walls] == -1).all()
         assert (gas["MaterialIDs"][:][~walls] >= 0).all() and (gas["WallIDs"][:][walls] >= 0).all()
         assert not gas["Normals"][:][~walls].any() and not gas["WallDistances"][:][~walls].any()
-    assert gas["SmoothingLength"].attrs["KernelName"] == "convex"
+    assert gas["SmoothingLength"].attrs["KernelName"] == b"convex"
     assert gas["SmoothingLength"].attrs["SupportOverH"] == 2
 
 
@@ -93,7 +93,7 @@ def check_vtkhdf(file, name):
 def check_plenum(file):
     plenum = file["Plenum"]
     assert plenum.attrs["SchemaVersion"] == 1
-    assert plenum.attrs["CaseName"] == "cases/sample.toml"
+    assert plenum.attrs["CaseName"] == b"cases/sample.toml"
     assert len(plenum["CaseText"].asstr()[()]) > 100000
     assert list(plenum["Walls/Name"].asstr()) == ["shaft", "housing"]
     assert list(plenum["Walls/Layers"]) == [3, 4]
@@ -108,7 +108,7 @@ def check_vtu(path, file):
     assert [block.type for block in mesh.cells] == ["vertex"]
     assert (mesh.cells[0].data.ravel() == np.arange(n)).all()
     assert same_bits(mesh.points, file["VTKHDF/Points"][:])
-    real = set(file["Plenum"].attrs["Fields"]) - {"position"} | {"type"}
+    real = {name.decode() for name in file["Plenum"].attrs["Fields"]} - {"position"} | {"type"}
     assert set(mesh.point_data) == real, set(mesh.point_data) ^ real
     for name, values in mesh.point_data.items():
         assert same_bits(values, file["PartType0"][FIELDS[name]][:]), name
