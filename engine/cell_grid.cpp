@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/cell_grid.hpp"
 
+#include "particles/parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,11 +39,9 @@ void CellGrid<Dim>::sort(std::span<const Vec<Dim>> points) {
   start_.assign(nCells_ + 1, 0);
   order_.resize(n);
   cells_.resize(n);
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(n); ++k) {
-    const auto i = static_cast<std::size_t>(k);
+  forEachIndex(n, [&](std::size_t i) {
     cells_[i] = static_cast<std::uint32_t>(indexOf(cellOf(points[i])));
-  }
+  });
   for (std::size_t i = 0; i < n; ++i) ++start_[cells_[i] + 1];
   for (std::size_t c = 0; c < nCells_; ++c) start_[c + 1] += start_[c];
   // start_[c] serves as the next free place of cell c and is shifted back afterwards.

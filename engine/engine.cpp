@@ -2,6 +2,7 @@
 #include "engine/engine.hpp"
 
 #include "particles/errors.hpp"
+#include "particles/parallel.hpp"
 
 #include <fmt/format.h>
 
@@ -45,11 +46,12 @@ template <int Dim>
 bool Engine<Dim>::movedTooFar(const ParticleSet<Dim>& particles) const {
   const auto positions = particles[field::position];
   const double limitSquared = 0.25 * skin_ * skin_;
+  const std::size_t n = positions.size();
   int moved = 0;
-#pragma omp parallel for schedule(static) reduction(| : moved)
-  for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(positions.size()); ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    moved |= !(normSquared(positions[i] - reference_[i]) <= limitSquared);
+#pragma omp parallel for schedule(static) reduction(| : moved) if (n >= worthThreads)
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec<Dim> path = periodicity_.nearestImage(positions[i] - reference_[i]);
+    moved |= !(normSquared(path) <= limitSquared);
   }
   return moved != 0;
 }

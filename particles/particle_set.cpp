@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/particle_set.hpp"
 
+#include "particles/parallel.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cstring>
@@ -65,13 +67,9 @@ void ParticleSet<Dim>::permute(std::span<const std::uint32_t> order) {
     using Value = typename decltype(values)::value_type;
     const std::size_t first = info.scope == Scope::walls ? nFluid_ : 0;
     auto* sorted = reinterpret_cast<Value*>(scratch_.data());
-    const auto n = static_cast<std::ptrdiff_t>(values.size());
-#pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t k = 0; k < n; ++k) {
-      const auto target = static_cast<std::size_t>(k);
-      sorted[target] = values[order[first + target] - first];
-    }
-    if (n > 0) std::memcpy(values.data(), sorted, values.size_bytes());
+    forEachIndex(values.size(),
+                 [&](std::size_t k) { sorted[k] = values[order[first + k] - first]; });
+    if (!values.empty()) std::memcpy(values.data(), sorted, values.size_bytes());
   });
 }
 

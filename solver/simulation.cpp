@@ -2,6 +2,7 @@
 #include "solver/simulation.hpp"
 
 #include "particles/errors.hpp"
+#include "particles/parallel.hpp"
 #include "solver/preflight.hpp"
 
 #include <fmt/format.h>
@@ -104,9 +105,7 @@ void Simulation<Dim>::updateDensity(double dt) {
   if (!passes_.density->writes().has(field::densityRate)) return;
   const auto density = particles_[field::density];
   const auto rate = particles_[field::densityRate];
-  const auto n = static_cast<std::ptrdiff_t>(nDensityReceivers());
-#pragma omp parallel for simd schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) density[i] += dt * rate[i];
+  forEachIndex(nDensityReceivers(), [&](std::size_t i) { density[i] += dt * rate[i]; });
 }
 
 template <int Dim>
@@ -129,14 +128,12 @@ void Simulation<Dim>::updatePressure() {
 template <int Dim>
 void Simulation<Dim>::refuseNonFiniteForces() const {
   const auto acceleration = particles_[field::acceleration];
-  const auto n = static_cast<std::ptrdiff_t>(acceleration.size());
-  std::ptrdiff_t bad = n;
-#pragma omp parallel for schedule(static) reduction(min : bad)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
-    if (!std::isfinite(normSquared(acceleration[static_cast<std::size_t>(i)])))
-      bad = std::min(bad, i);
-  if (bad == n) return;
-  const auto i = static_cast<std::size_t>(bad);
+  const std::size_t n = acceleration.size();
+  std::size_t i = n;
+#pragma omp parallel for schedule(static) reduction(min : i) if (n >= worthThreads)
+  for (std::size_t k = 0; k < n; ++k)
+    if (!std::isfinite(normSquared(acceleration[k]))) i = std::min(i, k);
+  if (i == n) return;
   throw RunError(fmt::format(
       "the force on particle {} at ({:.4g}) is not finite at t = {:.6g} s, step {}: likely a time "
       "step that is too large or particles that overlap; try --set solver.time_step={:.2g}",
@@ -148,12 +145,8 @@ template <int Dim>
 void Simulation<Dim>::kick(double dt) {
   const auto velocity = particles_[field::velocity];
   const auto acceleration = particles_[field::acceleration];
-  const auto n = static_cast<std::ptrdiff_t>(particles_.nFluid());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    velocity[i] += dt * (acceleration[i] + gravity_);
-  }
+  forEachIndex(particles_.nFluid(),
+               [&](std::size_t i) { velocity[i] += dt * (acceleration[i] + gravity_); });
 }
 
 template <int Dim>
@@ -162,24 +155,16 @@ void Simulation<Dim>::collide() {
   passes_.collisions->run(engine_, particles_);
   const auto velocity = particles_[field::velocity];
   const auto change = particles_[field::velocityChange];
-  const auto n = static_cast<std::ptrdiff_t>(particles_.nFluid());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    velocity[i] += change[i];
-  }
+  forEachIndex(particles_.nFluid(), [&](std::size_t i) { velocity[i] += change[i]; });
 }
 
 template <int Dim>
 void Simulation<Dim>::drift(double dt) {
   const auto position = particles_[field::position];
   const auto velocity = particles_[field::velocity];
-  const auto n = static_cast<std::ptrdiff_t>(particles_.nFluid());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    position[i] += dt * velocity[i];
-  }
+  forEachIndex(particles_.nFluid(), [&](std::size_t i) {
+    position[i] = info_.domain.wrap(position[i] + dt * velocity[i]);
+  });
 }
 
 template <int Dim>
@@ -187,11 +172,10 @@ double Simulation<Dim>::maxTimeStep() const {
   if (settings_.timeStep) return *settings_.timeStep;
   const auto velocity = particles_[field::velocity];
   const auto acceleration = particles_[field::acceleration];
-  const auto n = static_cast<std::ptrdiff_t>(particles_.nFluid());
+  const std::size_t n = particles_.nFluid();
   double speed = 0, force = 0;
-#pragma omp parallel for schedule(static) reduction(max : speed, force)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+#pragma omp parallel for schedule(static) reduction(max : speed, force) if (n >= worthThreads)
+  for (std::size_t i = 0; i < n; ++i) {
     speed = std::max(speed, normSquared(velocity[i]));
     force = std::max(force, normSquared(acceleration[i] + gravity_));
   }

@@ -2,6 +2,7 @@
 #include "solver/wall_motion.hpp"
 
 #include "particles/errors.hpp"
+#include "particles/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,18 +90,16 @@ void WallMotion<Dim>::moveTo(double time, ParticleSet<Dim>& particles) {
   const auto ids = particles[field::id].subspan(nFluid);
   const auto normals = particles[field::normal];
   const auto wallOf = particles[field::wall];
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t n = 0; n < static_cast<std::ptrdiff_t>(positions.size()); ++n) {
-    const auto k = static_cast<std::size_t>(n);
+  forEachIndex(positions.size(), [&](std::size_t k) {
     const auto w = static_cast<std::size_t>(wallOf[k]);
     const RigidMotion& motion = walls_[w].motion;
-    if (motion.isStill()) continue;
+    if (motion.isStill()) return;
     const Displacement& displacement = displacements_[w];
     const Start& start = start_[ids[k] - firstId_];
     positions[k] = displacement.moved(start.position);
     normals[k] = displacement.turned(start.normal);
     velocities[k] = velocityAt(motion, positions[k], fromThree<Dim>(displacement.centerAfter));
-  }
+  });
 }
 
 template Vec<1> velocityAt<1>(const RigidMotion&, const Vec<1>&, const Vec<1>&);
