@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The rotating shaft of Kruisbrink et al. 2018, figure 6: clustering and leaking at walls.
+#include "tests/support/run_case.hpp"
+
+#include <iostream>
+
+namespace plenum {
+namespace {
+
+std::vector<Figure> runShaft(const test::Changes& changes) {
+  const auto row = test::runCase<2>("rotating_shaft.toml", changes);
+  for (const char* name : {"left", "void1", "f.5", "f.85", "nn_min", "psi6"})
+    std::cout << "  " << name << " " << valueOf(row, name) << "\n";
+  return row;
+}
+
+const std::pair<std::string, std::string> withCollisions{"solver.collisions",
+                                                         "{ restitution = 0.01, range = 0.85 }"};
+const std::pair<std::string, std::string> conformalShaft{"wall[0].method", "conformal"};
+const std::pair<std::string, std::string> conformalHousing{"wall[1].method", "conformal"};
+
+TEST(RotatingShaft, HasTheParticlesOfTheSource) {
+  const auto scene = test::sceneOf<2>("rotating_shaft.toml", {}).first;
+  EXPECT_EQ(scene.particles.nFluid(), 1212u);
+  EXPECT_EQ(scene.particles.nWalls(), 871u);
+}
+
+TEST(RotatingShaft, TheQuadraticWendlandKernelClustersAndLeaks) {
+  const auto row = runShaft({{"solver.kernel", "wendland_quadratic"}});
+  EXPECT_GT(valueOf(row, "left"), 0);
+  EXPECT_GE(valueOf(row, "f.5"), 0.9);     // prototype .975
+  EXPECT_GE(valueOf(row, "void1"), 0.05);  // prototype .169
+}
+
+TEST(RotatingShaft, TheConvexKernelKeepsAllParticlesAndLeavesNoHoles) {
+  const auto row = runShaft({{"solver.kernel", "convex"}});
+  EXPECT_EQ(valueOf(row, "left"), 0);
+  EXPECT_LE(valueOf(row, "f.5"), 0.06);     // prototype .03
+  EXPECT_LE(valueOf(row, "void1"), 0.005);  // prototype 0
+}
+
+TEST(RotatingShaft, CollisionsKeepParticlesApart) {
+  const auto row = runShaft({{"solver.kernel", "wendland_c2_1d"}, withCollisions});
+  EXPECT_EQ(valueOf(row, "left"), 0);
+  EXPECT_EQ(valueOf(row, "f.5"), 0);
+  EXPECT_GE(valueOf(row, "nn_min"), 0.5);  // prototype .70
+}
+
+/// Both kinds of wall layers beside each other, for the kernel that leaks and the one that holds.
+TEST(RotatingShaft, ConformalWallsHoldWithTheConvexKernel) {
+  std::cout << " lattice walls, wendland_c2_1d\n";
+  const auto lattice = runShaft({{"solver.kernel", "wendland_c2_1d"}});
+  std::cout << " conformal walls, wendland_c2_1d\n";
+  const auto conformal =
+      runShaft({{"solver.kernel", "wendland_c2_1d"}, conformalShaft, conformalHousing});
+  std::cout << " conformal walls, convex\n";
+  const auto convex = runShaft({{"solver.kernel", "convex"}, conformalShaft, conformalHousing});
+  EXPECT_EQ(valueOf(convex, "left"), 0);
+  EXPECT_LE(valueOf(convex, "f.5"), 0.06);
+  EXPECT_LE(valueOf(convex, "void1"), 0.005);
+  EXPECT_LE(valueOf(conformal, "left"), valueOf(lattice, "left"));
+}
+
+}  // namespace
+}  // namespace plenum
