@@ -54,7 +54,8 @@ void syncFolder(const fs::path& folder) {
 }  // namespace
 
 std::string writeFailure(const fs::path& path, int error) {
-  if (error == ENOENT || error == ENOTDIR)
+  std::error_code ignored;
+  if ((error == ENOENT || error == ENOTDIR) && !fs::is_directory(folderOf(path), ignored))
     return fmt::format("{}: cannot be written: no such folder '{}'; {}", path.string(),
                        folderOf(path).string(), remedyFor(error));
   return fmt::format("{}: cannot be written: {}; {}", path.string(), std::strerror(error),

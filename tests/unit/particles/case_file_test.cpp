@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Case files: values with their lines, and errors that name line, key, value, range and remedy.
+#include "particles/case_node.hpp"
+#include "particles/case_settings.hpp"
+#include "particles/errors.hpp"
+#include "particles/section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+namespace plenum {
+namespace {
+
+std::string errorOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+#define EXPECT_SAYS(message, part) EXPECT_NE((message).find(part), std::string::npos) << (message)
+
+const std::string minimal = R"(title = "box"
+dimension = 2
+spacing = 0.05
+fluid = [{ region = "box" }]
+)";
+
+std::string errorOfCase(const std::string& text) {
+  return errorOf([&] { readCase(CaseNode::parse(text, "case.toml")); });
+}
+
+TEST(CaseNode, KeepsTypesLinesAndOrder) {
+  const CaseNode root = CaseNode::parse("b = 1\na = 2.5\nc = [true, \"x\"]\n[t]\nd = -7\n", "f");
+  ASSERT_EQ(root.asTable().size(), 4u);
+  EXPECT_EQ(root.asTable()[0].first, "b");
+  EXPECT_EQ(root.find("b")->asInteger(), 1);
+  EXPECT_EQ(root.find("b")->asNumber(), 1.0);
+  EXPECT_EQ(root.find("a")->asNumber(), 2.5);
+  EXPECT_EQ(root.find("c")->asArray()[1].asString(), "x");
+  EXPECT_EQ(root.find("c")->asArray()[1].path(), "c[1]");
+  EXPECT_EQ(root.find("t")->find("d")->path(), "t.d");
+  EXPECT_EQ(root.find("t")->find("d")->line(), 5);
+  EXPECT_EQ(root.find("nothing"), nullptr);
+  EXPECT_EQ(root.find("c")->printed(), "[true, \"x\"]");
+}
+
+TEST(CaseNode, WrongTypesNameWhatIsThereAndWhatMustBe) {
+  const CaseNode root = CaseNode::parse("a = 1\ns = \"text\"\n", "f.toml");
+  EXPECT_EQ(errorOf([&] { root.find("s")->asNumber(); }),
+            "f.toml:2: s = \"text\": is a string, must be a number");
+  EXPECT_EQ(errorOf([&] { root.find("a")->asString(); }),
+            "f.toml:1: a = 1: is an integer, must be a string");
+  EXPECT_SAYS(errorOf([&] { root.find("a")->asBool(); }), "must be true or false");
+  EXPECT_SAYS(errorOf([&] { root.find("a")->asTable(); }), "must be a table");
+}
+
+TEST(CaseNode, NotToml) {
+  EXPECT_SAYS(errorOf([] { CaseNode::parse("a = 1\nb = = 2\n", "f.toml"); }),
+              "f.toml:2: not valid TOML");
+}
+
+TEST(CaseNode, FilesThatAreNotCaseFiles) {
+  namespace fs = std::filesystem;
+  EXPECT_SAYS(errorOf([] { CaseNode::load("no/such.toml"); }), "no such case file");
+  EXPECT_SAYS(errorOf([] { CaseNode::load(fs::temp_directory_path()); }), "not a file");
+  const fs::path path = fs::temp_directory_path() / "plenum_case_file_test.hdf";
+  std::ofstream(path) << "\x89HDF\r\n";
+  const std::string message = errorOf([&] { CaseNode::load(path); });
+  fs::remove(path);
+  EXPECT_SAYS(message, "is a particle file");
+}
+
+TEST(CaseNode, SetOnTheCommandLine) {
+  CaseNode root = CaseNode::parse("[solver]\nkernel = \"convex\"\n", "f.toml");
+  root.set("solver.kernel", "wendland_c2");  // bare words are strings
+  root.set("solver.end_time", "2.5");
+  root.set("output.fields", "[\"density\"]");
+  root.set("new.deep.key", "true");
+  EXPECT_EQ(root.find("solver")->find("kernel")->asString(), "wendland_c2");
+  EXPECT_EQ(root.find("solver")->find("end_time")->asNumber(), 2.5);
+  EXPECT_EQ(root.find("output")->find("fields")->asArray()[0].asString(), "density");
+  EXPECT_TRUE(root.find("new")->find("deep")->find("key")->asBool());
+}
+
+TEST(CaseNode, ErrorsOfSetNameTheOption) {
+  CaseNode root = CaseNode::parse(minimal, "f.toml");
+  root.set("spacing", "-1");
+  EXPECT_SAYS(errorOf([&] { readCase(root); }), "--set spacing=-1: spacing = -1: must be > 0 [m]");
+  EXPECT_SAYS(errorOf([&] { root.set("spacing.x", "1"); }), "is not a table");
+  EXPECT_SAYS(errorOf([&] { root.set("solver..x", "1"); }), "an empty key");
+}
+
+TEST(Case, DefaultsAndValues) {
+  const CaseSettings plain = readCase(CaseNode::parse(minimal, "case.toml"));
+  EXPECT_EQ(plain.spacing, 0.05);
+  EXPECT_FALSE(plain.solver.has_value());
+  EXPECT_EQ(plain.solverOrDefaults().kernel, "wendland_c2");
+  const CaseSettings full = readCase(CaseNode::parse(minimal + R"(
+[solver]
+kernel = "convex"
+gravity = [0, -9.81]
+viscosity = { monaghan = { alpha = 0.2 } }
+)",
+                                                     "case.toml"));
+  EXPECT_EQ(full.solver->kernel, "convex");
+  EXPECT_EQ(full.solver->gravity, (std::vector<double>{0, -9.81}));
+  EXPECT_EQ(full.solver->viscosity->monaghan->alpha, 0.2);
+  EXPECT_EQ(full.solver->viscosity->monaghan->beta, 0);
+  EXPECT_FALSE(full.solver->collisions.has_value());
+}
+
+TEST(Case, UnknownKeysNameLineAndNearestKey) {
+  EXPECT_EQ(errorOfCase(minimal + "spaceing = 1\n"),
+            "case.toml:5: spaceing = 1: unknown key 'spaceing'; did you mean 'spacing'?");
+  EXPECT_SAYS(errorOfCase(minimal + "[solver]\nsmoothing_lenght = 2\n"),
+              "case.toml:6: solver.smoothing_lenght = 2: unknown key 'smoothing_lenght'; did you "
+              "mean 'smoothing_length'?");
+  EXPECT_SAYS(errorOfCase(minimal + "[solver.viscosity.monaghan]\nqqqqqqqq = 2\n"),
+              "known here: alpha, beta");
+}
+
+TEST(Case, RangesChoicesAndTypes) {
+  EXPECT_SAYS(errorOfCase(minimal + "[solver]\nsmoothing_length = 99\n"),
+              "case.toml:6: solver.smoothing_length = 99: must be in [0.6, 6] [d_ref]");
+  EXPECT_SAYS(errorOfCase(minimal + "[solver]\nsmoothing_length = nan\n"), "finite number");
+  EXPECT_SAYS(errorOfCase(minimal + "[solver]\nsmoothing_length = \"big\"\n"),
+              "is a string, must be a number");
+  EXPECT_SAYS(errorOfCase(minimal + "[solver]\nkernel = \"convexe\"\n"),
+              "did you mean \"convex\"?");
+  EXPECT_SAYS(errorOfCase(minimal + "[solver]\ngravity = [0, 0, -9.81]\n"),
+              "has 3 components, the case has 2 dimensions");
+  EXPECT_SAYS(errorOfCase(minimal + "[domain]\nlower = [0, 0]\nupper = [1, 0]\n"),
+              "upper must be above lower");
+  EXPECT_SAYS(errorOfCase("dimension = 4\nspacing = 1\nfluid = []\n"), "dimension = 4");
+}
+
+TEST(Case, MissingKeys) {
+  EXPECT_SAYS(errorOfCase("title = \"x\"\nfluid = []\n"), "the key 'spacing' is missing");
+  EXPECT_SAYS(errorOfCase("spacing = 1\n"), "the key 'fluid' is missing");
+  EXPECT_SAYS(errorOfCase(minimal + "[domain]\nlower = [0, 0]\n"), "the key 'upper' is missing");
+}
+
+struct Toy {
+  double size = 1.5;
+  int count = 3;
+  bool on = true;
+  std::string mode = "slow";
+  std::vector<std::string> axes;
+};
+
+Section<Toy> toySection() {
+  Section<Toy> section("a toy");
+  section.number("size", &Toy::size, "m", Range::above(0, 2), "its size")
+      .integer("count", &Toy::count, Range::between(1, 9), "how many")
+      .flag("on", &Toy::on, "whether it runs")
+      .text("mode", &Toy::mode, "how it runs", {"slow", "fast"})
+      .texts("axes", &Toy::axes, "where it runs", {"x", "y"});
+  return section;
+}
+
+TEST(Section, ReadsEveryType) {
+  const Toy toy = toySection().read(
+      CaseNode::parse("size = 2\ncount = 9\non = false\nmode = \"fast\"\naxes = [\"y\"]\n", "f"),
+      2);
+  EXPECT_EQ(toy.size, 2);
+  EXPECT_EQ(toy.count, 9);
+  EXPECT_FALSE(toy.on);
+  EXPECT_EQ(toy.mode, "fast");
+  EXPECT_EQ(toy.axes, std::vector<std::string>{"y"});
+  EXPECT_EQ(toySection().read(CaseNode::parse("", "f"), 2).count, 3);
+}
+
+TEST(Section, BoundsAreAsDeclared) {
+  const auto read = [](const std::string& text) {
+    return errorOf([&] { toySection().read(CaseNode::parse(text, "f"), 2); });
+  };
+  EXPECT_EQ(read("size = 2.0"), "no error");
+  EXPECT_SAYS(read("size = 0"), "must be in (0, 2] [m]");
+  EXPECT_EQ(read("count = 1"), "no error");
+  EXPECT_SAYS(read("count = 10"), "must be in [1, 9]");
+  EXPECT_SAYS(read("count = 1.0"), "is a number, must be an integer");
+  EXPECT_SAYS(read("axes = [\"z\"]"), "must be one of x | y");
+}
+
+TEST(Section, HelpAndDocsNameEveryKey) {
+  for (const std::string& text :
+       {toySection().doc("toy").printed(), toySection().doc("toy").markdown()})
+    for (const char* part : {"size", "count", "on", "mode", "axes", "its size", "1.5", "(0, 2]"})
+      EXPECT_SAYS(text, part);
+  EXPECT_SAYS(caseSection().doc("case").printed(), "smoothing_length");
+}
+
+}  // namespace
+}  // namespace plenum

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/particle_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <vector>
+
+namespace plenum {
+namespace {
+
+FieldSet allFields() {
+  FieldSet fields;
+  for (const FieldInfo& info : fieldTable) fields |= FieldSet{info.id};
+  return fields;
+}
+
+TEST(FieldTable, IsConsistent) {
+  for (std::size_t k = 0; k < nFields; ++k) {
+    EXPECT_EQ(static_cast<std::size_t>(fieldTable[k].id), k) << fieldTable[k].name;
+    EXPECT_EQ(fieldNamed(fieldTable[k].name), fieldTable[k].id);
+    for (std::size_t j = 0; j < k; ++j) {
+      EXPECT_NE(fieldTable[j].name, fieldTable[k].name);
+      EXPECT_NE(fieldTable[j].fileName, fieldTable[k].fileName);
+    }
+  }
+  EXPECT_EQ(fieldNamed("nonsense"), std::nullopt);
+}
+
+TEST(FieldSet, Algebra) {
+  constexpr FieldSet a{FieldId::mass, FieldId::density}, b{FieldId::density, FieldId::id};
+  static_assert((a | b).has(FieldId::id) && a.without(b) == FieldSet{FieldId::mass});
+  static_assert(FieldSet{}.empty() && !a.has(FieldId::pressure));
+}
+
+TEST(ParticleSet, ScopeDecidesTheLength) {
+  const ParticleSet<2> particles(allFields(), 5, 3);
+  EXPECT_EQ(particles[field::position].size(), 8u);
+  EXPECT_EQ(particles[field::material].size(), 5u);
+  EXPECT_EQ(particles[field::wall].size(), 3u);
+  EXPECT_EQ(particles[field::normal].size(), 3u);
+  particles.forEachField([&](const FieldInfo& info, auto values) {
+    EXPECT_EQ(values.size(), particles.sizeOf(info.id)) << info.name;
+  });
+}
+
+TEST(ParticleSet, NewFieldsAreZeroAndOldOnesKept) {
+  ParticleSet<3> particles({FieldId::mass}, 2, 1);
+  particles[field::mass][1] = 7;
+  particles.add({FieldId::mass, FieldId::velocity});
+  EXPECT_EQ(particles[field::mass][1], 7);
+  EXPECT_EQ(particles[field::velocity][2], (Vec<3>{}));
+  particles.remove({FieldId::mass});
+  EXPECT_FALSE(particles.has(FieldId::mass));
+  EXPECT_TRUE(particles.fields() == FieldSet{FieldId::velocity});
+}
+
+/// Each value says which particle it belongs to, so any mistake in an offset shows.
+TEST(ParticleSet, PermuteMovesEveryFieldOfEveryScope) {
+  ParticleSet<2> particles(allFields(), 5, 4);
+  particles.forEachField([&](const FieldInfo& info, auto values) {
+    using Value = typename decltype(values)::value_type;
+    const std::size_t first = info.scope == Scope::walls ? 5 : 0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const auto particle = static_cast<double>(first + k);
+      if constexpr (std::is_arithmetic_v<Value>)
+        values[k] = static_cast<Value>(particle);
+      else
+        values[k] = {{particle, -particle}};
+    }
+  });
+  const std::vector<std::uint32_t> order{3, 0, 4, 1, 2, 8, 5, 7, 6};
+  particles.permute(order);
+  particles.forEachField([&](const FieldInfo& info, auto values) {
+    using Value = typename decltype(values)::value_type;
+    const std::size_t first = info.scope == Scope::walls ? 5 : 0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const double particle = order[first + k];
+      if constexpr (std::is_arithmetic_v<Value>)
+        EXPECT_EQ(values[k], static_cast<Value>(particle)) << info.name;
+      else
+        EXPECT_EQ(values[k], (Vec<2>{{particle, -particle}})) << info.name;
+    }
+  });
+}
+
+TEST(ParticleSet, PermutingAndBackIsTheIdentity) {
+  ParticleSet<1> particles({FieldId::id, FieldId::wall}, 100, 50);
+  std::iota(particles[field::id].begin(), particles[field::id].end(), 1u);
+  std::vector<std::uint32_t> order(150), inverse(150);
+  for (std::uint32_t k = 0; k < 100; ++k) order[k] = 37 * k % 100;
+  for (std::uint32_t k = 0; k < 50; ++k) order[100 + k] = 100 + 7 * k % 50;
+  for (std::uint32_t k = 0; k < 150; ++k) inverse[order[k]] = k;
+  particles.permute(order);
+  EXPECT_EQ(particles[field::id][1], 38u);
+  particles.permute(inverse);
+  for (std::uint64_t k = 0; k < 150; ++k) EXPECT_EQ(particles[field::id][k], k + 1);
+}
+
+TEST(ParticleSet, BytesPerParticle) {
+  EXPECT_EQ(ParticleSet<2>().bytesPerParticle(), 0);
+  EXPECT_EQ(ParticleSet<2>({FieldId::position, FieldId::mass}, 10, 0).bytesPerParticle(), 24);
+}
+
+}  // namespace
+}  // namespace plenum
