@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/fluids.hpp"
 
+#include "ictools/point_grid.hpp"
 #include "ictools/random.hpp"
 
 #include <fmt/format.h>
@@ -102,17 +103,16 @@ std::vector<Vec<Dim>> randomPoints(const FluidFill<Dim>& fluid, double roundOff)
   return points;
 }
 
-/// True if every place around x, at a small distance along axes and diagonals, lies in some fluid.
+/// True if every place around x lies in some fluid: one place in each orthant, so that one of them
+/// is beyond any wall through x, and along no direction in which surfaces like to run.
 template <int Dim>
 bool isSurrounded(const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
                   const Vec<Dim>& x) {
+  constexpr double skew[] = {1, 0.731, 0.533};
   const double step = 1e-3 * frame.spacing;
-  int nSteps = 1;
-  for (int a = 0; a < Dim; ++a) nSteps *= 3;
-  for (int s = 0; s < nSteps; ++s) {
+  for (int orthant = 0; orthant < (1 << Dim); ++orthant) {
     Vec<Dim> y = x;
-    for (int a = 0, rest = s; a < Dim; ++a, rest /= 3) y[a] += (rest % 3 - 1) * step;
-    if (y == x) continue;
+    for (int a = 0; a < Dim; ++a) y[a] += ((orthant >> a) & 1 ? step : -step) * skew[a];
     y = frame.domain.wrap(y);
     if (std::none_of(fluids.begin(), fluids.end(),
                      [&](const auto& fluid) { return fluid.region->isInside(y); }))
@@ -139,10 +139,12 @@ std::vector<Vec<Dim>> seamPoints(const std::vector<FluidFill<Dim>>& fluids, std:
   return points;
 }
 
-/// Removes the points inside earlier fluids.
+/// Removes the points inside earlier fluids, and those on their surface where they have a particle.
 template <int Dim>
-void leaveToEarlier(std::vector<FluidFill<Dim>>& fluids, std::size_t k, double roundOff) {
+void leaveToEarlier(std::vector<FluidFill<Dim>>& fluids, std::size_t k,
+                    const SceneFrame<Dim>& frame) {
   FluidFill<Dim>& fluid = fluids[k];
+  const double roundOff = surfaceRoundOff * frame.spacing;
   const std::size_t before = fluid.points.size();
   for (std::size_t earlier = 0; earlier < k; ++earlier) {
     if (!fluids[earlier].region) {
@@ -150,8 +152,12 @@ void leaveToEarlier(std::vector<FluidFill<Dim>>& fluids, std::size_t k, double r
       break;
     }
     const auto distance = signedDistances<Dim>(*fluids[earlier].region, fluid.points);
+    const PointGrid<Dim> taken(fluids[earlier].box, frame.spacing / 2, fluids[earlier].points);
     std::size_t n = 0;
-    std::erase_if(fluid.points, [&](const Vec<Dim>&) { return distance[n++] < -roundOff; });
+    std::erase_if(fluid.points, [&](const Vec<Dim>& x) {
+      const double here = distance[n++];
+      return here < -roundOff || (here <= roundOff && std::isfinite(taken.nearest(x)));
+    });
   }
   fluid.nCovered = before - fluid.points.size();
   if (fluid.nCovered > 0 && fluid.settings.mass == "exact")
@@ -229,7 +235,7 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
       fluid.points = latticePoints(fluid.lattice, fluid.box, *fluid.region, {.upper = -roundOff});
       for (const Vec<Dim>& x : seamPoints(fluids, k, frame)) fluid.points.push_back(x);
     }
-    leaveToEarlier(fluids, k, roundOff);
+    leaveToEarlier(fluids, k, frame);
     checkNotEmpty(fluid, frame);
     jitter(fluid, frame);
     fluid.particleVolume = fluid.settings.mass == "exact"

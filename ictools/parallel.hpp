@@ -13,7 +13,7 @@ template <class Body>
 void parallelFor(std::size_t n, Body&& body) {
   std::exception_ptr failure;
   std::size_t failedAt = n;
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (n > 1)
   for (std::size_t k = 0; k < n; ++k) {
     try {
       body(k);

@@ -36,7 +36,7 @@ Box<Dim> wallBox(const std::vector<WallFill<Dim>>& walls, const std::vector<Flui
     extendFinite(box, wall.solid.geometry->bounds());
     thickest = std::max(thickest, wall.thickness);
   }
-  return frame.clipped(box.grown(thickest + frame.spacing));
+  return frame.clipped(box.grown(thickest + surfaceRoundOff * frame.spacing));
 }
 
 /// Removes places that an earlier wall has, or that are too near to one of its particles.
