@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/files.hpp"
 
+#include "geometry/cad_file.hpp"
 #include "geometry/mesh_file.hpp"
 #include "geometry/polygon_file.hpp"
 #include "geometry/surface_mesh.hpp"
@@ -66,6 +67,13 @@ GeometryPtr<3> placedMesh(TriangleSoup soup, const Placement<3>& placement,
   return makeSurfaceMesh(soup, source, tolerance);
 }
 
+/// The tolerance in the file's own lengths.
+template <int Dim>
+std::optional<double> inFile(const FileOptions<Dim>& options) {
+  if (!options.tolerance) return std::nullopt;
+  return *options.tolerance / options.placement.scale;
+}
+
 }  // namespace
 
 template <>
@@ -73,7 +81,9 @@ GeometryPtr<2> readGeometryFile<2>(const std::filesystem::path& path,
                                    const FileOptions<2>& options) {
   if (kindOf(path, 2) == Kind::polygon)
     return placedPolygon(readPolygonFile(path), options.placement, path.string(), 0);
-  throw InputError(path.string() + ": CAD files are not read yet");
+  CadLoops cad = readCadLoops(path, inFile(options), options.defaultTolerance);
+  return placedPolygon(nestedLoops(cad.loops, path.string()), options.placement, path.string(),
+                       cad.tolerance * options.placement.scale);
 }
 
 template <>
@@ -81,7 +91,9 @@ GeometryPtr<3> readGeometryFile<3>(const std::filesystem::path& path,
                                    const FileOptions<3>& options) {
   if (kindOf(path, 3) == Kind::mesh)
     return placedMesh(readMeshFile(path), options.placement, path.string(), 0);
-  throw InputError(path.string() + ": CAD files are not read yet");
+  const CadSurface cad = readCadSurface(path, inFile(options), options.defaultTolerance);
+  return placedMesh(cad.soup, options.placement, path.string(),
+                    cad.tolerance * options.placement.scale);
 }
 
 }  // namespace plenum

@@ -46,7 +46,7 @@ TriangleSoup readAsciiStl(const std::string& text, const std::string& source) {
     } else if (word == "normal") {
       for (int k = 0; k < 3; ++k) words.word();  // often wrong; the corners' order counts
     } else if (word != "facet" && word != "outer" && word != "loop" && word != "endloop") {
-      words.fail("'" + std::string(word.substr(0, 20)) + "' has no place in an STL file");
+      words.fail(fmt::format("'{}' has no place in an STL file", word.substr(0, 20)));
     }
   }
   if (!closed) words.fail("the file ends without endsolid: truncated? export it again");
@@ -114,7 +114,7 @@ TriangleSoup readObj(const std::string& bytes, const std::string& source) {
       long number = 0;
       const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
       if (error != std::errc{} || stop != word.data() + word.size() || number == 0)
-        words.fail("'" + std::string(word.substr(0, 20)) + "' is not the number of a point");
+        words.fail(fmt::format("'{}' is not the number of a point", word.substr(0, 20)));
       const long n = static_cast<long>(soup.points.size());
       corners.push_back(static_cast<std::size_t>(number > 0 ? number - 1 : n + number));
     }

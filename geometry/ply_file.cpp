@@ -47,7 +47,7 @@ Number numberNamed(std::string_view name, const TextReader& words) {
       {"float64", Number::float64}};
   for (const auto& [known, number] : names)
     if (known == name) return number;
-  words.fail("'" + std::string(name.substr(0, 20)) + "' is not a PLY number type");
+  words.fail(fmt::format("'{}' is not a PLY number type", name.substr(0, 20)));
 }
 
 Header readHeader(TextReader& words) {
@@ -87,7 +87,7 @@ class Values {
   Values(TextReader& words, const std::string& format)
       : words_(words), bytes_(words.rest()), isText_(format == "ascii") {
     if (!isText_ && format != "binary_little_endian" && format != "binary_big_endian")
-      words.fail("'" + format + "' is not a PLY format");
+      words.fail(fmt::format("'{}' is not a PLY format", format));
     swapped_ = (format == "binary_big_endian") != (std::endian::native == std::endian::big);
   }
 

@@ -135,7 +135,7 @@ bool contains(const Loop& loop, const Vec<2>& x) {
 }
 
 void orient(Loop& loop, bool counterClockwise) {
-  if ((signedArea(loop) > 0) != counterClockwise) std::ranges::reverse(loop);
+  if ((signedArea(loop) > 0) != counterClockwise) std::reverse(loop.begin() + 1, loop.end());
 }
 
 /// Holes lie in their outer line and not in each other; polygons are apart. Nothing crosses.
@@ -211,12 +211,13 @@ class Polygon final : public Geometry<2> {
     return {x - sign * distance * outward, outward, sign * distance};
   }
 
-  /// Where a corner is nearest: the outer side sees convex corners, the inner side reflex ones.
+  /// Where a corner is nearest: the outer side sees convex corners, the inner side reflex ones, and
+  /// either side those in the middle of a straight line.
   static SurfacePoint<2> onCorner(const Vec<2>& before, const Vec<2>& corner, const Vec<2>& after,
                                   const Vec<2>& x) {
-    const bool convex =
-        CGAL::orientation(exact(before), exact(corner), exact(after)) != CGAL::RIGHT_TURN;
-    const double sign = convex ? 1 : -1;
+    auto turn = CGAL::orientation(exact(before), exact(corner), exact(after));
+    if (turn == CGAL::COLLINEAR) turn = -CGAL::orientation(exact(before), exact(corner), exact(x));
+    const double sign = turn == CGAL::LEFT_TURN ? 1 : -1;
     const double distance = norm(x - corner);
     if (distance > 1e-14 * (norm(x) + norm(corner)))
       return {corner, sign / distance * (x - corner), sign * distance};

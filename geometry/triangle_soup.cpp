@@ -150,13 +150,19 @@ std::vector<Shell> shellsOf(const TriangleSoup& soup, const std::vector<Side>& s
   return shells;
 }
 
+/// In how many others a shell lies.
+std::ptrdiff_t depthOf(const Shell& shell, const std::vector<Shell>& shells) {
+  const Vec<3> point = shell.surface.center(0);
+  return std::ranges::count_if(
+      shells, [&](const Shell& other) { return &other != &shell && other.contains(point); });
+}
+
 void checkOrientation(const TriangleSoup& soup, const std::vector<Side>& sides,
                       const std::string& source) {
   const std::vector<Shell> shells = shellsOf(soup, sides);
   for (const Shell& shell : shells) {
     const Vec<3> seenAt = shell.surface.center(0);
-    const auto depth = std::ranges::count_if(
-        shells, [&](const Shell& other) { return &other != &shell && other.contains(seenAt); });
+    const std::ptrdiff_t depth = depthOf(shell, shells);
     const double volume = signedVolume(shell.surface);
     if (depth % 2 == 0 && volume < 0)
       throw InputError(
@@ -183,24 +189,28 @@ double signedVolume(const TriangleSoup& soup) {
   return static_cast<double>(sum / 6);
 }
 
-TriangleSoup welded(const TriangleSoup& soup) {
-  const double near = 1e-9 * norm(boundsOf(soup).extent());
-  std::vector<std::size_t> order(soup.points.size());
-  std::iota(order.begin(), order.end(), 0);
+std::vector<std::size_t> mergedPoints(const std::vector<Vec<3>>& points, double near) {
   // Along a crooked direction few points coincide that are not the same.
-  const Vec<3> crooked = Vec<3>{{0.36, 0.51, 0.78}};  // shorter than 1
+  const Vec<3> crooked{{0.36, 0.51, 0.78}};  // shorter than 1
   std::vector<double> along;
-  for (const Vec<3>& x : soup.points) along.push_back(dot(crooked, x));
+  for (const Vec<3>& x : points) along.push_back(dot(crooked, x));
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](std::size_t k) { return along[k]; });
-  std::vector<std::size_t> mergedWith(soup.points.size(), none);
+  std::vector<std::size_t> mergedWith(points.size(), none);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (mergedWith[order[i]] != none) continue;
-    mergedWith[order[i]] = order[i];
-    const Vec<3>& x = soup.points[order[i]];
-    for (std::size_t j = i + 1; j < order.size() && along[order[j]] - along[order[i]] <= near; ++j)
-      if (mergedWith[order[j]] == none && norm(soup.points[order[j]] - x) <= near)
-        mergedWith[order[j]] = order[i];
+    const std::size_t first = order[i];
+    if (mergedWith[first] != none) continue;
+    for (std::size_t j = i; j < order.size() && along[order[j]] - along[first] <= near; ++j)
+      if (mergedWith[order[j]] == none && norm(points[order[j]] - points[first]) <= near)
+        mergedWith[order[j]] = first;
   }
+  return mergedWith;
+}
+
+TriangleSoup welded(const TriangleSoup& soup) {
+  const std::vector<std::size_t> mergedWith =
+      mergedPoints(soup.points, 1e-9 * norm(boundsOf(soup).extent()));
   TriangleSoup result;
   std::vector<std::size_t> number(soup.points.size(), none);
   for (const auto& triangle : soup.triangles) {
@@ -215,6 +225,47 @@ TriangleSoup welded(const TriangleSoup& soup) {
       corner = number[corner];
     }
     result.triangles.push_back(corners);
+  }
+  return result;
+}
+
+TriangleSoup turnedOutwards(TriangleSoup soup) {
+  // Neighbours first, shell by shell.
+  std::vector<std::vector<Side>> neighbours(soup.triangles.size());
+  const std::vector<Side> sides = sidesOf(soup);
+  for (std::size_t k = 1; k < sides.size(); ++k)
+    if (sides[k].sameEdge(sides[k - 1])) {
+      const bool agree = sides[k].forward != sides[k - 1].forward;
+      neighbours[sides[k].triangle].push_back({0, 0, sides[k - 1].triangle, agree});
+      neighbours[sides[k - 1].triangle].push_back({0, 0, sides[k].triangle, agree});
+    }
+  enum State : char { unseen, kept, turned };
+  std::vector<State> state(soup.triangles.size(), unseen);
+  for (std::size_t first = 0; first < state.size(); ++first) {
+    if (state[first] != unseen) continue;
+    state[first] = kept;
+    for (std::vector<std::size_t> open{first}; !open.empty();) {
+      const std::size_t t = open.back();
+      open.pop_back();
+      for (const Side& side : neighbours[t]) {
+        if (state[side.triangle] != unseen) continue;
+        state[side.triangle] = side.forward == (state[t] == kept) ? kept : turned;
+        open.push_back(side.triangle);
+      }
+    }
+  }
+  for (std::size_t t = 0; t < state.size(); ++t)
+    if (state[t] == turned) std::swap(soup.triangles[t][1], soup.triangles[t][2]);
+
+  TriangleSoup result{soup.points, {}};
+  const std::vector<Shell> shells = shellsOf(soup, sides);
+  for (const Shell& shell : shells) {
+    const bool isCavity = depthOf(shell, shells) % 2 == 1;
+    const bool flip = (signedVolume(shell.surface) < 0) != isCavity;
+    for (auto t : shell.surface.triangles) {
+      if (flip) std::swap(t[1], t[2]);
+      result.triangles.push_back(t);
+    }
   }
   return result;
 }

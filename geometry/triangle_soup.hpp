@@ -30,9 +30,16 @@ constexpr Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
 /// Volume by the divergence theorem [m^3], negative if the surface is inside out.
 double signedVolume(const TriangleSoup& soup);
 
+/// For each point the first of those within `near` [m] of it, which may be itself.
+std::vector<std::size_t> mergedPoints(const std::vector<Vec<3>>& points, double near);
+
 /// Corners nearer than 1e-9 of the size become one (STL repeats them for each triangle); triangles
 /// that collapse by it and corners of no triangle are dropped.
 TriangleSoup welded(const TriangleSoup& soup);
+
+/// The welded soup with its triangles turned coherently and outwards (inwards in cavities), as far
+/// as it is closed: for meshes from CAD, where the order of corners says nothing.
+TriangleSoup turnedOutwards(TriangleSoup soup);
 
 /// Throws InputError that says where unless the welded `soup` is a closed surface of one side: no
 /// triangle without area, every edge between exactly two triangles that run opposite ways along it,
