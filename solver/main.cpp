@@ -2,6 +2,7 @@
 //
 // plenum-sph: runs the particles of a particle file and writes what ParaView and meshio read.
 // Read on in run.cpp (the run), simulation.cpp (the step), engine/pair_loop.hpp (the pairs).
+#include "particles/command_line.hpp"
 #include "particles/errors.hpp"
 #include "particles/particle_file.hpp"
 #include "particles/version.hpp"
@@ -10,7 +11,6 @@
 
 #include <fmt/format.h>
 #include <omp.h>
-#include <CLI/CLI.hpp>
 
 #include <iostream>
 
@@ -75,7 +75,6 @@ void declare(CLI::App& app, CommandLine& line) {
       "  plenum-sph keys                                   all keys that --set takes\n\n"
       "Exit code: 0 done, 1 the input is at fault, 2 the run failed.");
   app.set_version_flag("--version", fmt::format("plenum-sph {}", version));
-  app.require_subcommand(1);
   const auto addCommon = [&](CLI::App* command) {
     command->add_option("file", line.file, "particle file, made by plenum-ic")->required();
     command->add_option("--set", line.changes, "change a key of the case: section.key=value")
@@ -85,7 +84,7 @@ void declare(CLI::App& app, CommandLine& line) {
   addCommon(runCommand);
   runCommand->add_option("-o,--output", line.folder, "folder for all output [FILE's name + _run]");
   runCommand->add_option("-j,--threads", line.threads, "threads [all cores]")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1024));
   runCommand->add_flag("-q,--quiet", line.quiet, "print errors only");
   addCommon(app.add_subcommand("info", "print what a file holds and what a run would model"));
   app.add_subcommand("keys", "print the keys of [solver] and [output]");
@@ -95,11 +94,7 @@ int main(int argc, char** argv) {
   CLI::App app;
   CommandLine line;
   declare(app, line);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exitOk : exitInputAtFault;
-  }
+  if (const auto code = parseCommandLine(app, argc, argv)) return *code;
   if (app.got_subcommand("keys")) {
     std::cout << solverSection().doc("[solver]").printed()
               << outputSection().doc("[output]").printed();
