@@ -119,6 +119,36 @@ TEST(ConformalWall, CornersInAndOut) {
   }
 }
 
+TEST(ConformalWall, SharpObtuseAndReentrantCorners) {
+  for (const char* points :
+       {"[[0.3, 0.3], [1.2, 0.3], [0.3, 0.9]]",  // angles of 90, 34 and 56 degrees
+        "[[0.2, 0.2], [1.2, 0.2], [1.2, 0.6], [0.6, 0.6], [0.6, 1.2], [0.2, 1.2]]",
+        "[[0.5, 0.2], [0.8, 0.35], [1.1, 0.2], [0.95, 0.5], [1.1, 0.8], [0.8, 0.65], [0.5, 0.8], "
+        "[0.65, 0.5]]"}) {
+    const Scene<2> scene = test::sceneOf<2>(std::string(R"(
+dimension = 2
+spacing = 0.05
+[geometry]
+tank = { box = { lower = [0, 0], upper = [1.5, 1.5] } }
+part = { polygon = { points = )") + points + R"( } }
+water = { difference = ["tank", "part"] }
+[[fluid]]
+region = "water"
+[[wall]]
+region = "part"
+method = "conformal"
+)");
+    const auto all = scene.particles[field::position];
+    const std::vector<Vec<2>> walls(
+        all.begin() + static_cast<std::ptrdiff_t>(scene.particles.nFluid()), all.end());
+    EXPECT_GT(walls.size(), 60u);
+    for (const double r : test::nearestDistances(walls, Box<2>{})) {
+      EXPECT_GE(r, 0.6 * 0.05 * (1 - 1e-9));
+      EXPECT_LE(r, 1.4 * 0.05);
+    }
+  }
+}
+
 TEST(ConformalWall, AThinPlateHasNobodyTwice) {
   const double d = 0.05;
   for (const double thickness : {0.12, 0.15, 0.17, 0.2, 0.23}) {
