@@ -44,7 +44,7 @@ std::vector<WallPoint<Dim>> conformalLayers(const WallSolid<Dim>& solid, double 
     all = sampleLayers(solid, spacing, layers, box);
   std::size_t expected = 0;
   for (const Layer<Dim>& layer : all) expected += layer.points.size();
-  PointGrid<Dim> grid(box.grown(spacing), closestInWalls * spacing, expected);
+  PointGrid<Dim> grid(box, closestInWalls * spacing, expected);
   std::vector<WallPoint<Dim>> points;
   for (Layer<Dim>& layer : all) {
     std::erase_if(layer.points, [&](const Vec<Dim>& x) {

@@ -194,6 +194,15 @@ TEST(ConformalWall, ShellsOfABallAndFacesOfABox) {
   }
 }
 
+TEST(ConformalWall, APipeContinuesThroughPeriodicFaces) {
+  const auto pipe = makeGeometry(Cylinder{{{-1, 0, 0}}, {{2, 0, 0}}, 0.3});
+  const WallSolid<3> solid{pipe, true};
+  const Box<3> box{{{0, -0.6, -0.6}}, {{0.72, 0.6, 0.6}}, {true, false, false}};
+  const auto points = conformalLayers(solid, 0.1, 2, box);
+  expectConformal(points, solid, 0.1, 2, box);  // distances across the faces too
+  for (const auto& point : points) EXPECT_TRUE(point.position[0] >= 0 && point.position[0] < 0.72);
+}
+
 TEST(ConformalWall, OneDimension) {
   const auto interval = makeGeometry(BoxShape<1>{{{{0}}, {{1}}, {}}});
   const auto points =
