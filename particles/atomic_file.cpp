@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -86,6 +87,18 @@ void AtomicFile::write(const void* data, std::size_t nBytes) {
     at += written;
     nBytes -= static_cast<std::size_t>(written);
   }
+}
+
+void AtomicFile::reserve(std::uintmax_t nBytes) {
+  if (const int error = ::posix_fallocate(descriptor_, 0, static_cast<off_t>(nBytes))) fail(error);
+}
+
+void AtomicFile::trim(std::uintmax_t nBytes) {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0) fail(errno);
+  if (static_cast<std::uintmax_t>(status.st_size) > nBytes &&
+      ::ftruncate(descriptor_, static_cast<off_t>(nBytes)) != 0)
+    fail(errno);
 }
 
 void AtomicFile::commit() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -27,6 +28,12 @@ class AtomicFile {
   /// Appends bytes. Throws RunError, for instance if the disk is full.
   void write(const void* data, std::size_t nBytes);
   void write(std::string_view text) { write(text.data(), text.size()); }
+
+  /// Takes `nBytes` of the disk now, so that a library that writes by name meets no full disk
+  /// later. Throws RunError if there is not so much.
+  void reserve(std::uintmax_t nBytes);
+  /// Gives back what lies beyond `nBytes`. Throws RunError.
+  void trim(std::uintmax_t nBytes);
 
   /// Gives the file its final name, replacing what had it. Throws RunError.
   void commit();

@@ -65,6 +65,19 @@ Reason lastReason() {
   return reason;
 }
 
+void prepareLibrary() {
+  [[maybe_unused]] static const herr_t once = H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+/// Files are replaced as a whole and never changed, so locks protect nothing; some network disks
+/// refuse them.
+Handle withoutLocks() {
+  Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(properties.get(), false, true);
+  return properties;
+}
+
 }  // namespace
 
 void Origin::fail(const std::string& what) const {
@@ -132,15 +145,15 @@ Group File::rootOf(const Handle& file, const Origin& origin) {
 }
 
 File File::create(const fs::path& path, const fs::path& shownAs) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  prepareLibrary();
   auto origin = std::make_unique<Origin>(Origin{shownAs.string(), true, 0});
-  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, withoutLocks().get()), H5Fclose);
   if (!file.valid()) origin->fail("cannot be written");
   return File(std::move(file), std::move(origin));
 }
 
 File File::open(const fs::path& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  prepareLibrary();
   const std::string name = path.string();
   std::error_code error;
   if (!fs::exists(path, error)) throw InputError(name + ": no such particle file");
@@ -152,17 +165,19 @@ File File::open(const fs::path& path) {
     throw InputError(name +
                      ": not an HDF5 file; a particle file is made by 'plenum-ic generate CASE'");
   H5Eclear2(H5E_DEFAULT);
-  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, withoutLocks().get()), H5Fclose);
   if (!file.valid())
     origin->fail(fmt::format("is truncated or damaged ({} bytes are there)", origin->bytes));
   return File(std::move(file), std::move(origin));
 }
 
-void File::close() {
-  const bool flushed = H5Fflush(handle_.get(), H5F_SCOPE_LOCAL) >= 0;
-  if (!flushed) origin_->fail("cannot be written");
+std::uintmax_t File::close() {
+  hsize_t nBytes = 0;
+  if (H5Fflush(handle_.get(), H5F_SCOPE_LOCAL) < 0 || H5Fget_filesize(handle_.get(), &nBytes) < 0)
+    origin_->fail("cannot be written");
   root_ = Group(Handle(), "/", *origin_);
   if (!handle_.close()) origin_->fail("cannot be written");
+  return nBytes;
 }
 
 }  // namespace plenum::hdf5

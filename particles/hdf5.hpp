@@ -162,7 +162,8 @@ class Group {
   const Origin* origin_;
 };
 
-/// An HDF5 file. HDF5's own printing of errors is turned off.
+/// An HDF5 file. HDF5's own printing of errors is turned off, and so is its cleaning up when the
+/// program ends: HDF5 1.10 crashes there if a file could not be closed because of a disk error.
 class File {
  public:
   /// Creates or empties `path`; messages name `shownAs`. Throws RunError.
@@ -172,8 +173,9 @@ class File {
 
   const Group& root() const { return root_; }
   const Origin& origin() const { return *origin_; }
-  /// Throws RunError if what was written could not be brought to the file.
-  void close();
+  /// Closes a file that was written and returns its length [bytes]. Throws RunError if what was
+  /// written could not be brought to the file.
+  std::uintmax_t close();
 
  private:
   File(Handle handle, std::unique_ptr<Origin> origin);

@@ -145,6 +145,18 @@ void writePlenum(const Group& plenum, const Scene<Dim>& scene, const GadgetBox& 
   writeSceneInfo(plenum, scene.info);
 }
 
+/// No file is larger than this.
+template <int Dim>
+std::uintmax_t mostBytes(const Scene<Dim>& scene) {
+  std::uintmax_t perParticle = 24 + 3 * 8;  // /VTKHDF: own points, connectivity, offsets and types
+  for (const FieldInfo& info : fieldTable)
+    if (info.isState) perParticle += info.rank == Rank::vector ? 24 : 8;
+  const SceneInfo<Dim>& info = scene.info;
+  std::uintmax_t texts = info.caseText.size() + info.caseName.size() + info.title.size();
+  return scene.particles.size() * perParticle + texts + info.container.counts.size() +
+         1024 * (256 + info.walls.size() + info.materials.size() + info.quality.size());
+}
+
 template <int Dim>
 void checkWritable(const std::filesystem::path& path, const Scene<Dim>& scene) {
   const ParticleSet<Dim>& particles = scene.particles;
@@ -168,7 +180,11 @@ void writeParticleFile(const std::filesystem::path& path, const Scene<Dim>& scen
   checkWritable(path, scene);
   AtomicFile file(path);
   const GadgetBox box = gadgetBox(scene);
+  // Before HDF5 opens the file, because HDF5 does not recover from a full disk; and again, because
+  // opening empties the file.
+  file.reserve(mostBytes(scene));
   auto hdf = hdf5::File::create(file.temporaryPath(), path);
+  file.reserve(mostBytes(scene));
   {
     const Group& root = hdf.root();
     writeHeader(root.create("Header"), Dim, scene.particles.size(), scene.info.time, box);
@@ -179,7 +195,7 @@ void writeParticleFile(const std::filesystem::path& path, const Scene<Dim>& scen
     writeVtk(root.create("VTKHDF"), partType0, scene.particles, names, shifted);
     writePlenum(root.create("Plenum"), scene, box);
   }
-  hdf.close();
+  file.trim(hdf.close());
   file.commit();
 }
 
