@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/common_region.hpp"
 
+#include "geometry/half_spaces.hpp"
 #include "geometry/nearest_common.hpp"
 
 #include <algorithm>
@@ -81,23 +82,29 @@ SurfacePoint<Dim> CommonRegion<Dim>::closest(const Vec<Dim>& x) const {
 
 template <int Dim>
 bool CommonRegion<Dim>::touchesInterior(const Vec<Dim>& p) const {
-  int active = 0;
-  Vec<Dim> inwards;
-  for (const Part<Dim>& part : parts_) {
-    const SurfacePoint<Dim> hit = part.closest(p);
-    if (hit.signedDistance < -4 * resolution_) continue;
-    ++active;
-    inwards -= hit.normal;
-  }
-  if (active <= 1) return true;
+  const double depth = 100 * resolution_;
+  Constraints<Dim> inwards;  // on a step from p: down by one along the normal of every part there
+  const auto add = [&](const SurfacePoint<Dim>& hit, double least) {
+    if (hit.signedDistance < least || inwards.n == inwards.most) return;
+    inwards.value[std::size_t(inwards.n)] = 1;
+    inwards.normal[std::size_t(inwards.n++)] = hit.normal;
+  };
+  for (const Part<Dim>& part : parts_) add(part.closest(p), -4 * resolution_);
+  if (inwards.n <= 1) return true;
 
-  const double step = 1e4 * resolution_;
-  const double depth = 0.01 * step;  // finds wedges of more than about a degree
-  const double length = norm(inwards);
-  if (length > 1e-6 && value(p + step / length * inwards) < -depth) return true;
+  // A part with an edge at p has more normals than one: those that a failed step meets are added.
+  for (int before = 0; before < inwards.n;) {
+    const Projection<Dim> steepest = project(inwards, 1e-9);
+    if (steepest.violation > 1e-3 || norm(steepest.shift) > 1e4) break;
+    const Vec<Dim> inside = p + 2 * depth * steepest.shift;
+    if (value(inside) < -depth) return true;
+    before = inwards.n;
+    for (const Part<Dim>& part : parts_) add(part.closest(inside), -depth);
+  }
+  // Notches have no such direction: try all around.
   static const std::vector<Vec<Dim>> directions = compassDirections<Dim>();
   return std::any_of(directions.begin(), directions.end(),
-                     [&](const Vec<Dim>& d) { return value(p + step * d) < -depth; });
+                     [&](const Vec<Dim>& d) { return value(p + 100 * depth * d) < -depth; });
 }
 
 template <int Dim>

@@ -43,12 +43,12 @@ class Random {
 template <int Dim>
 using Member = std::function<bool(const Vec<Dim>&)>;
 
-/// The surface is where `hit` says: both sides are met within `step` [m] of it.
+/// Both sides are met within `step` [m] of p; many tries, since wedges may be narrow.
 template <int Dim>
 bool isOnSurface(const Member<Dim>& member, const Vec<Dim>& p, double step, Random<Dim>& random) {
   bool in = false;
   bool out = false;
-  for (int k = 0; k < 400 && !(in && out); ++k)
+  for (int k = 0; k < 20000 && !(in && out); ++k)
     (member(p + step * random.direction()) ? in : out) = true;
   return in && out;
 }

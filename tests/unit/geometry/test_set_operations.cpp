@@ -123,6 +123,51 @@ TEST(SetOperations, NotchFlushWithTheTop) {
   EXPECT_FALSE(notched->isInside(Vec<2>{{0.5, 1}}));
 }
 
+template <int Dim>
+GeometryPtr<Dim> randomShape(Random<Dim>& random) {
+  const Vec<Dim> center = random.inBox(around<Dim>(1));
+  const double kind = random.number(0, 1);
+  if (kind < 0.4) return makeGeometry(Ball<Dim>{center, random.number(0.3, 1.2)});
+  if (kind < 0.8) {
+    Vec<Dim> half;
+    for (int a = 0; a < Dim; ++a) half[a] = random.number(0.2, 1);
+    return box<Dim>(center - half, center + half);
+  }
+  if constexpr (Dim == 3) {
+    if (kind < 0.9)
+      return makeGeometry(Cylinder{center, random.inBox(around<3>(1)), random.number(0.2, 0.8)});
+  }
+  return makeGeometry(HalfSpace<Dim>{center, random.direction()});
+}
+
+/// Two to four shapes at random: wedges, slivers, several separate pieces.
+template <int Dim>
+void expectRandomCombinations(int n, int nPoints) {
+  Random<Dim> random(5);
+  for (int k = 0; k < n; ++k) {
+    std::vector<GeometryPtr<Dim>> parts;
+    const int nParts = static_cast<int>(random.number(2, 5));
+    for (int p = 0; p < nParts; ++p) parts.push_back(randomShape(random));
+    const auto expectTrue = [&](auto operation, const Member<Dim>& member) {
+      GeometryPtr<Dim> combined;
+      try {
+        combined = operation(parts);
+      } catch (const InputError&) {
+        return;  // empty
+      }
+      expectTrueDistances(*combined, member, around<Dim>(2), nPoints);
+    };
+    expectTrue(unionOf<Dim>, anyOf(parts));
+    expectTrue(intersectionOf<Dim>, allOf(parts));
+    expectTrue(differenceOf<Dim>, firstOnly(parts));
+  }
+}
+
+TEST(SetOperations, RandomCombinations) {
+  expectRandomCombinations<2>(60, 40);
+  expectRandomCombinations<3>(15, 40);
+}
+
 TEST(SetOperations, EmptyAndFullRegionsAreRefused) {
   EXPECT_THROW(intersectionOf<2>({disk(0, 0, 1), disk(3, 0, 1)}), InputError);
   EXPECT_THROW(differenceOf<2>({disk(0, 0, 1), disk(0, 0, 1)}), InputError);
