@@ -67,6 +67,14 @@ GeometryPtr<3> placedMesh(TriangleSoup soup, const Placement<3>& placement,
   return makeSurfaceMesh(soup, source, tolerance);
 }
 
+/// What a file of straight edges and triangles may be off is the user's to say.
+template <int Dim>
+double stated(const FileOptions<Dim>& options) {
+  return options.tolerance.value_or(0);
+}
+
+bool isMsh(const std::filesystem::path& path) { return extensionOf(path) == ".msh"; }
+
 /// The tolerance in the file's own lengths.
 template <int Dim>
 std::optional<double> inFile(const FileOptions<Dim>& options) {
@@ -80,20 +88,20 @@ template <>
 GeometryPtr<2> readGeometryFile<2>(const std::filesystem::path& path,
                                    const FileOptions<2>& options) {
   if (kindOf(path, 2) == Kind::polygon)
-    return placedPolygon(readPolygonFile(path), options.placement, path.string(), 0);
+    return placedPolygon(readPolygonFile(path), options.placement, path.string(), stated(options));
   CadLoops cad = readCadLoops(path, inFile(options), options.defaultTolerance);
   return placedPolygon(nestedLoops(cad.loops, path.string()), options.placement, path.string(),
-                       cad.tolerance * options.placement.scale);
+                       isMsh(path) ? stated(options) : cad.tolerance * options.placement.scale);
 }
 
 template <>
 GeometryPtr<3> readGeometryFile<3>(const std::filesystem::path& path,
                                    const FileOptions<3>& options) {
   if (kindOf(path, 3) == Kind::mesh)
-    return placedMesh(readMeshFile(path), options.placement, path.string(), 0);
+    return placedMesh(readMeshFile(path), options.placement, path.string(), stated(options));
   const CadSurface cad = readCadSurface(path, inFile(options), options.defaultTolerance);
   return placedMesh(cad.soup, options.placement, path.string(),
-                    cad.tolerance * options.placement.scale);
+                    isMsh(path) ? stated(options) : cad.tolerance * options.placement.scale);
 }
 
 }  // namespace plenum

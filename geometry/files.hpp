@@ -12,8 +12,10 @@ namespace plenum {
 /// How a file becomes a region.
 template <int Dim>
 struct FileOptions {
-  /// Largest distance between the represented surface and the file's curved one [m], after scaling;
-  /// absent: `defaultTolerance` times the diagonal of the file's bounds.
+  /// Largest distance between the represented surface and the CAD file's curved one [m], after
+  /// scaling; absent: `defaultTolerance` times the diagonal of the file's bounds. Files of straight
+  /// edges and triangles (.wkt, .stl, .msh, ...) are taken as they are: there it only states how
+  /// far they may be from what is meant.
   std::optional<double> tolerance;
   Placement<Dim> placement;
 

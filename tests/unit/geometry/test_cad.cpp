@@ -62,6 +62,7 @@ TEST(Cad, DefaultToleranceFollowsTheSize) {
   const auto geometry = readGeometryFile<2>(files / "annulus.step");
   EXPECT_NEAR(geometry->tolerance(), 1e-4 * 0.2 * std::sqrt(2.), 1e-9);  // gmsh's bounds are loose
   expectAnnulus(*geometry, geometry->tolerance());
+  EXPECT_EQ(readGeometryFile<2>(files / "annulus.msh")->tolerance(), 0);  // it is what it is
 }
 
 TEST(Cad, MeasuredDeviationIsWithinTheTolerance) {
