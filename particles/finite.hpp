@@ -18,14 +18,14 @@ struct NotFinite {
   std::size_t index = 0;
 };
 
-/// The first value of a state field that is not a finite number, if there is one.
+/// The first value of one of `fields` that is not a finite number, if there is one.
 template <int Dim>
-std::optional<NotFinite> firstNotFinite(const ParticleSet<Dim>& particles) {
+std::optional<NotFinite> firstNotFinite(const ParticleSet<Dim>& particles, FieldSet fields) {
   std::optional<NotFinite> found;
   particles.forEachField([&](const FieldInfo& info, auto values) {
     using Value = std::remove_const_t<typename decltype(values)::value_type>;
     if constexpr (!std::is_integral_v<Value>) {
-      if (found || !info.isState) return;
+      if (found || !fields.has(info.id)) return;
       for (std::size_t k = 0; k < values.size(); ++k) {
         double sum = 0;  // of x - x: zero, or NaN for infinities and NaN
         if constexpr (std::is_arithmetic_v<Value>)

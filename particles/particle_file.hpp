@@ -24,7 +24,8 @@ namespace plenum {
 
 /// Writes all state fields of the scene; rates and other scratch fields are left out. The file
 /// appears under its name only when it is complete. Throws RunError (no such folder, full disk, a
-/// value that is not finite) and InputError for a scene without particles.
+/// position that is not finite) and InputError for a scene without particles. Other values that are
+/// not finite are written, so that a run that failed can be looked at; reading refuses them.
 template <int Dim>
 void writeParticleFile(const std::filesystem::path& path, const Scene<Dim>& scene);
 

@@ -128,7 +128,7 @@ Scene<Dim> readParticleFile(const std::filesystem::path& path) {
     throw InputError(fmt::format("{}: is {}-dimensional, must be {}-dimensional here",
                                  path.string(), dimension, Dim));
   Scene<Dim> scene{readSceneInfo<Dim>(plenum), readParticles<Dim>(file, plenum)};
-  if (const auto found = firstNotFinite(scene.particles))
+  if (const auto found = firstNotFinite(scene.particles, scene.particles.fields()))
     throw InputError(
         fmt::format("{}: {} of {} is not finite; generate the particle file again or "
                     "resume from an earlier one",

@@ -164,7 +164,7 @@ void checkWritable(const std::filesystem::path& path, const Scene<Dim>& scene) {
     throw InputError(path.string() +
                      ": not written: there are no particles; a smaller spacing "
                      "or a larger region makes some");
-  if (const auto found = firstNotFinite(particles))
+  if (const auto found = firstNotFinite(particles, {FieldId::position}))
     throw RunError(fmt::format("{}: not written: {} of {} is not finite", path.string(),
                                found->field, found->particle));
   for (int a = 0; a < Dim; ++a)

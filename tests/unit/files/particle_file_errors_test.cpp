@@ -213,10 +213,10 @@ TEST_F(DamagedFile, ParticleTypesOutOfOrder) {
               "ParticleTypes does not list fluids (0) first");
 }
 
-TEST(WritingParticleFile, RefusesWhatCouldNotBeRead) {
+TEST(WritingParticleFile, RefusesWhatHasNoMeaning) {
   const TemporaryFolder folder;
   auto scene = sampleScene<2>();
-  scene.particles[field::velocity][3][1] = std::numeric_limits<double>::quiet_NaN();
+  scene.particles[field::position][3][1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(writeParticleFile(folder / "a.hdf", scene), RunError);
   EXPECT_THROW(writeParticleFile(folder / "a.hdf", Scene<2>{}), InputError);
   auto periodic = sampleScene<2>();
@@ -224,6 +224,14 @@ TEST(WritingParticleFile, RefusesWhatCouldNotBeRead) {
   periodic.info.domain.periodic[1] = true;
   EXPECT_THROW(writeParticleFile(folder / "a.hdf", periodic), InputError);
   EXPECT_EQ(folder.size(), 0u);
+}
+
+TEST(WritingParticleFile, KeepsAFailedStateForInspection) {
+  const TemporaryFolder folder;
+  auto scene = sampleScene<2>();
+  scene.particles[field::velocity][3][1] = std::numeric_limits<double>::quiet_NaN();
+  writeParticleFile(folder / "a.hdf", scene);
+  EXPECT_SAYS(errorOfReading(folder / "a.hdf"), "velocity of fluid particle 3 (id 47)");
 }
 
 TEST(WritingParticleFile, NoSuchFolder) {
