@@ -9,6 +9,11 @@
 
 #include <iostream>
 
+#ifdef __SANITIZE_ADDRESS__
+/// gmsh and OpenCASCADE leak by themselves; the leak sanitizer asks here what to pass over.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libgmsh\nleak:libTK\n"; }
+#endif
+
 namespace plenum {
 
 namespace {
