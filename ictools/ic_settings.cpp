@@ -178,7 +178,7 @@ std::vector<WallSettings> readWalls(const CaseSettings& settings) {
 }
 
 std::vector<SectionDoc> caseDocs() {
-  std::vector<SectionDoc> docs{caseSection().doc("case")};
+  std::vector<SectionDoc> docs{caseSection().doc("")};
   for (SectionDoc& doc : geometryDocs()) docs.push_back(std::move(doc));
   docs.push_back(fluidSection().doc("fluid"));
   docs.push_back(wallSection().doc("wall"));

@@ -3,13 +3,13 @@
 // plenum-ic: from a case file to a particle file.
 #include "ictools/generate.hpp"
 #include "ictools/ic_settings.hpp"
+#include "particles/command_line.hpp"
 #include "particles/errors.hpp"
 #include "particles/particle_file.hpp"
 #include "particles/picture.hpp"
 #include "particles/version.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <iostream>
@@ -37,7 +37,7 @@ Examples:
   plenum-ic info rotating_shaft.hdf
   plenum-ic help-case
 
-Exit codes: 0 ok, 1 the input is at fault, 2 failure.)";
+Exit code: 0 done, 1 the input is at fault, 2 failure.)";
 
 void warn(const std::string& message) {
   std::cout.flush();
@@ -120,13 +120,12 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{"plenum-ic: fills geometries with particles"};
   app.footer(examples);
-  app.set_version_flag("--version", std::string(version));
-  app.require_subcommand(1);
+  app.set_version_flag("--version", fmt::format("plenum-ic {}", version));
   const auto addSet = [&](CLI::App* command) {
     command
         ->add_option("--set", options.set, "a value of the case, instead of the file's: key=value")
         ->allow_extra_args(false);
-    command->add_flag("--quiet", options.quiet, "print errors and warnings only");
+    command->add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
   };
 
   CLI::App* generate = app.add_subcommand("generate", "make a particle file from a case");
@@ -143,12 +142,8 @@ int main(int argc, char** argv) {
   CLI::App* helpCase = app.add_subcommand("help-case", "all keys of a case file");
   helpCase->add_flag("--markdown", options.markdown, "as tables for the docs");
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exitOk : exitInputAtFault;
-  }
   return runProgram("plenum-ic", [&] {
+    if (const auto code = parseCommandLine(app, argc, argv)) return *code;
     if (generate->parsed()) return runGenerate(options);
     if (preview->parsed()) return runPreview(options);
     if (info->parsed()) return runInfo(options);

@@ -60,7 +60,13 @@ struct Box {
     return *this;
   }
 
-  Box& extend(const Box& other) { return extend(other.lower).extend(other.upper); }
+  Box& extend(const Box& other) {
+    for (int a = 0; a < Dim; ++a) {
+      lower[a] = std::fmin(lower[a], other.lower[a]);
+      upper[a] = std::fmax(upper[a], other.upper[a]);
+    }
+    return *this;
+  }
 
   /// The box with `margin` [m] added on every side.
   Box grown(double margin) const {

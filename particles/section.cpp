@@ -73,7 +73,8 @@ std::string printChoices(std::span<const std::string> choices) {
 }  // namespace section_detail
 
 std::string SectionDoc::printed(int indent) const {
-  std::string text = fmt::format("{:{}}{}  {}\n", "", indent, key, description);
+  std::string text =
+      fmt::format("{:{}}{}{}\n", "", indent, key.empty() ? "" : key + "  ", description);
   for (const ParameterDoc& p : parameters) {
     const bool isTable = std::any_of(inner.begin(), inner.end(),
                                      [&](const SectionDoc& doc) { return doc.key == p.key; });
@@ -89,17 +90,25 @@ std::string SectionDoc::printed(int indent) const {
   return text;
 }
 
+namespace {
+
+/// Text for a cell of a Markdown table.
+std::string cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+    text.replace(at, 1, "\\|");
+  return text;
+}
+
+}  // namespace
+
 std::string SectionDoc::markdown(const std::string& prefix) const {
   const std::string path = prefix.empty() ? key : prefix + "." + key;
-  std::string text = fmt::format("### `{}`\n\n{}\n\n", path, description);
+  std::string text = path.empty() ? "### Top level\n\n" : fmt::format("### `{}`\n\n", path);
+  text += description + "\n\n";
   text += "| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
-  for (const ParameterDoc& p : parameters) {
-    std::string range = p.range;
-    for (std::size_t at = 0; (at = range.find('|', at)) != std::string::npos; at += 2)
-      range.replace(at, 1, "\\|");
-    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", p.key, p.type, p.unit, range,
-                        p.required ? "required" : p.defaultValue, p.description);
-  }
+  for (const ParameterDoc& p : parameters)
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", p.key, p.type, p.unit, cell(p.range),
+                        p.required ? "required" : p.defaultValue, cell(p.description));
   text += "\n";
   for (const SectionDoc& doc : inner) text += doc.markdown(path);
   return text;

@@ -44,7 +44,7 @@ struct ParameterDoc {
 
 /// What help and docs say of one section and of the tables inside it.
 struct SectionDoc {
-  std::string key;
+  std::string key;  ///< "" for the top level of a case
   std::string description;
   std::vector<ParameterDoc> parameters;
   std::vector<SectionDoc> inner;

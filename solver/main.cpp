@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace plenum {
@@ -31,9 +32,18 @@ void printFigures(const std::vector<Figure>& figures) {
     std::cout << fmt::format("  {:<20} {:>12.6g} {}\n", f.name, f.value, f.unit);
 }
 
+/// As asked, or as many as have work: a thread that waits for the others costs more than it gives.
+/// The result does not depend on it.
+int threadsFor(int asked, std::size_t nParticles) {
+  constexpr std::size_t particlesPerThread = 4000;
+  if (asked > 0) return asked;
+  return static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(omp_get_max_threads()),
+                                                1 + nParticles / particlesPerThread));
+}
+
 int run(const CommandLine& line) {
-  if (line.threads > 0) omp_set_num_threads(line.threads);
   return withParticleFile(line.file, [&](auto scene) {
+    omp_set_num_threads(threadsFor(line.threads, scene.particles.size()));
     RunOptions options;
     options.name = line.file.stem().string();
     options.folder =
@@ -72,7 +82,7 @@ void declare(CLI::App& app, CommandLine& line) {
       "  plenum-sph run shaft.hdf                          as the case says\n"
       "  plenum-sph run shaft.hdf --set solver.kernel=wendland_c2_1d -o out/c2\n"
       "  plenum-sph info shaft.hdf                         what is in it, what would be modelled\n"
-      "  plenum-sph keys                                   all keys that --set takes\n\n"
+      "  plenum-sph help-case                              all keys that --set takes\n\n"
       "Exit code: 0 done, 1 the input is at fault, 2 the run failed.");
   app.set_version_flag("--version", fmt::format("plenum-sph {}", version));
   const auto addCommon = [&](CLI::App* command) {
@@ -83,11 +93,13 @@ void declare(CLI::App& app, CommandLine& line) {
   CLI::App* runCommand = app.add_subcommand("run", "run to the end time");
   addCommon(runCommand);
   runCommand->add_option("-o,--output", line.folder, "folder for all output [FILE's name + _run]");
-  runCommand->add_option("-j,--threads", line.threads, "threads [all cores]")
+  runCommand
+      ->add_option("-j,--threads", line.threads,
+                   "threads [one for 4000 particles, at most all cores]")
       ->check(CLI::Range(1, 1024));
   runCommand->add_flag("-q,--quiet", line.quiet, "print errors only");
   addCommon(app.add_subcommand("info", "print what a file holds and what a run would model"));
-  app.add_subcommand("keys", "print the keys of [solver] and [output]");
+  app.add_subcommand("help-case", "print the keys of [solver] and [output]");
 }
 
 int main(int argc, char** argv) {
@@ -95,7 +107,7 @@ int main(int argc, char** argv) {
   CommandLine line;
   declare(app, line);
   if (const auto code = parseCommandLine(app, argc, argv)) return *code;
-  if (app.got_subcommand("keys")) {
+  if (app.got_subcommand("help-case")) {
     std::cout << solverSection().doc("[solver]").printed()
               << outputSection().doc("[output]").printed();
     return exitOk;
