@@ -14,9 +14,7 @@ endif()
 
 add_library(plenum_options INTERFACE)
 target_include_directories(plenum_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
-# g++ 12 takes the string inside an empty std::optional for uninitialised.
-target_compile_options(plenum_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wno-maybe-uninitialized)
+target_compile_options(plenum_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
 if(PLENUM_NATIVE)
   target_compile_options(plenum_options INTERFACE -march=native)
 endif()
@@ -27,6 +25,6 @@ if(PLENUM_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-# For sources with pair loops: as fast as -ffast-math, but NaN is still found (docs/engine.md).
+# For sources with pair loops: as fast as -ffast-math, but NaN is still found.
 set(PLENUM_PAIR_LOOP_FLAGS
   -fno-math-errno -fno-trapping-math -fno-signed-zeros -fassociative-math)

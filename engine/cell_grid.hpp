@@ -29,7 +29,6 @@ class CellGrid {
 
   std::span<const std::uint32_t> order() const { return order_; }
   std::size_t nCells() const { return nCells_; }
-  const Box<Dim>& box() const { return box_; }
 
   /// Calls visit(first, last) for ranges of places that together hold every point within `radius`
   /// of x; no place comes twice.

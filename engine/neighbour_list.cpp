@@ -71,13 +71,6 @@ void NeighbourList<Dim>::build(std::span<const Vec<Dim>> positions, std::size_t 
 }
 
 template <int Dim>
-std::size_t NeighbourList<Dim>::nPairs() const {
-  std::size_t sum = 0;
-  for (const Block& block : blocks_) sum += block.neighbours.size();
-  return sum;
-}
-
-template <int Dim>
 std::size_t NeighbourList<Dim>::bytes() const {
   std::size_t sum = (begin_.capacity() + walls_.capacity() + end_.capacity()) * 4;
   for (const Block& block : blocks_) sum += block.neighbours.capacity() * 4;

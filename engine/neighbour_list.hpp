@@ -41,7 +41,8 @@ class NeighbourList {
     return {block.neighbours.data() + begin_[i], end_[i] - begin_[i]};
   }
 
-  std::size_t nPairs() const;
+  /// Particles [0, nReceivers()) have neighbours here.
+  std::size_t nReceivers() const { return begin_.size(); }
   std::size_t bytes() const;
 
  private:

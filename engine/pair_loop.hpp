@@ -9,6 +9,7 @@
 #include "particles/kernels.hpp"
 
 #include <array>
+#include <cassert>
 #include <tuple>
 
 namespace plenum {
@@ -110,6 +111,13 @@ inline void sumOver(const Pass<Profile, Terms...>& pass, const Arrays<Dim>& arra
 
 }  // namespace pair_loop
 
+/// Walls carry only some of the fields that fluids have; a pass over walls may write those alone.
+constexpr bool wallsCarry(FieldSet fields) {
+  for (const FieldInfo& info : fieldTable)
+    if (fields.has(info.id) && info.scope == Scope::fluid) return false;
+  return true;
+}
+
 /// Overwrites the fields that the pass writes, for all its receivers. Each particle sums over its
 /// own neighbours in list order, so the result does not depend on the number of threads.
 /// `engine.update` must have been called for these positions.
@@ -118,6 +126,8 @@ void runPass(const Pass<Profile, Terms...>& pass, const Engine<Dim>& engine,
              ParticleSet<Dim>& particles) {
   const pair_loop::Arrays<Dim> arrays(particles);
   const NeighbourList<Dim>& list = engine.neighbours();
+  assert(pass.receivers == Group::fluids || wallsCarry(pass.writes));
+  assert(pass.receivers == Group::fluids || list.nReceivers() == particles.size());
   const auto blocks = list.blocks();
   const std::size_t first = pass.receivers == Group::walls ? particles.nFluid() : 0;
   const std::size_t last = pass.receivers == Group::fluids ? particles.nFluid() : particles.size();

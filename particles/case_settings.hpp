@@ -49,6 +49,9 @@ struct SolverSettings {
   std::optional<double> timeStep;  ///< fixed [s]; absent: from cfl
   double cfl = 0.2;
   double endTime = 1;  ///< [s]
+
+  /// Density and pressure of walls follow the fluid's equations, instead of standing still.
+  bool wallsEvolve() const { return wallPressure == "equation_of_state"; }
 };
 
 struct OutputSettings {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The field table: every quantity a particle may carry, with its unit and rank. It alone drives
-// allocation, sorting, particle files and VTU output; a new field is one line here.
+// allocation, sorting, particle files and VTU output. A new field is a FieldId, a row and a name here;
+// a field that pair terms use has a member in engine/pair.hpp, too.
 #pragma once
 
 #include "particles/vec.hpp"
@@ -44,6 +45,7 @@ enum class FieldId : std::uint8_t {
 };
 
 inline constexpr std::size_t nFields = static_cast<std::size_t>(FieldId::count);
+static_assert(nFields <= 32, "FieldSet keeps one bit a field in 32 bits");
 
 struct FieldInfo {
   FieldId id;

@@ -11,12 +11,6 @@
 #include <exception>
 #include <numbers>
 
-#ifdef __SANITIZE_ADDRESS__
-/// fontconfig keeps what it loaded until the program ends; that is no leak of ours.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
-#endif
-
 namespace plenum {
 
 namespace {

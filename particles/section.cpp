@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plenum {
 
@@ -50,6 +51,12 @@ void checkKeys(const CaseNode& table, const std::vector<ParameterDoc>& docs) {
     if (doc.required && table.find(doc.key) == nullptr)
       table.fail(fmt::format("the key '{}' is missing: {}{}", doc.key, doc.description,
                              doc.unit.empty() ? "" : " [" + doc.unit + "]"));
+}
+
+int asInt(const CaseNode& node, std::int64_t value) {
+  constexpr std::int64_t largest = std::numeric_limits<int>::max();
+  if (value > largest || value < -largest) node.fail(fmt::format("must be within +-{}", largest));
+  return static_cast<int>(value);
 }
 
 std::vector<double> readVector(const CaseNode& node, int dimension) {

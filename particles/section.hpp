@@ -60,6 +60,7 @@ namespace section_detail {
 void checkNumber(const CaseNode& node, double value, const Range& range, const std::string& unit);
 void checkChoice(const CaseNode& node, std::span<const std::string> choices);
 void checkKeys(const CaseNode& table, const std::vector<ParameterDoc>& docs);
+int asInt(const CaseNode& node, std::int64_t value);
 std::vector<double> readVector(const CaseNode& node, int dimension);
 std::string printNumber(double value);
 std::string printChoices(std::span<const std::string> choices);
@@ -109,7 +110,7 @@ class Section {
                [=](S& settings, const CaseNode& node, int) {
                  const std::int64_t value = node.asInteger();
                  section_detail::checkNumber(node, static_cast<double>(value), range, "");
-                 settings.*member = static_cast<int>(value);
+                 settings.*member = section_detail::asInt(node, value);
                });
   }
 

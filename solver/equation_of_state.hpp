@@ -39,7 +39,6 @@ class MaterialTable {
  public:
   explicit MaterialTable(std::vector<Tait> rows) : rows_(std::move(rows)) {}
 
-  const Tait& row(std::size_t k) const { return rows_[k]; }
   const Tait& of(std::span<const std::int32_t> materials, std::size_t particle) const {
     return rows_[materials.empty() ? 0 : static_cast<std::size_t>(materials[particle])];
   }

@@ -24,8 +24,9 @@ void History::add(const std::vector<Figure>& figures) {
   }
   std::string row;
   for (const Figure& f : figures) row += fmt::format("{}{:.12g}", row.empty() ? "" : ",", f.value);
+  errno = 0;
   out_ << line << row << '\n' << std::flush;
-  if (!out_) throw RunError(writeFailure(path_, errno));
+  if (!out_) throw RunError(writeFailure(path_, errno != 0 ? errno : EIO));
 }
 
 }  // namespace plenum

@@ -62,8 +62,7 @@ class Selector {
 
   template <class Profile>
   PassPtr<Dim> densityPass(const Profile& profile) const {
-    const bool wallsEvolve = hasWalls_ && settings_.wallPressure == "equation_of_state";
-    const Group receivers = wallsEvolve ? Group::all : Group::fluids;
+    const Group receivers = hasWalls_ && settings_.wallsEvolve() ? Group::all : Group::fluids;
     if (settings_.density == "summation")
       return make(profile, receivers, Group::all, term::DensitySum{});
     return make(profile, receivers, Group::all, term::Continuity{});

@@ -44,10 +44,13 @@ void checkValues(const ParticleSet<Dim>& particles) {
 template <int Dim>
 void checkCoverage(const SceneInfo<Dim>& info, const SolverSettings& settings) {
   const double support = 2 * settings.smoothingLength * info.spacing;
+  // Where walls sum their density, those that fluid can feel need a full neighbourhood behind them.
+  const bool wallsSum = settings.wallsEvolve() && settings.density == "summation";
+  const double needed = wallsSum ? 2 * support : support;
   std::string thin;
   for (const Wall& wall : info.walls) {
     const int missing =
-        static_cast<int>(std::ceil((support - wall.thickness) / info.spacing - 1e-6));
+        static_cast<int>(std::ceil((needed - wall.thickness) / info.spacing - 1e-6));
     if (missing <= 0) continue;
     thin += fmt::format("{}wall \"{}\" is {:g} m thick, {} layer{} of {:g} m short",
                         thin.empty() ? "" : "; ", wall.name, wall.thickness, missing,
@@ -55,9 +58,12 @@ void checkCoverage(const SceneInfo<Dim>& info, const SolverSettings& settings) {
   }
   if (!thin.empty())
     throw InputError(fmt::format(
-        "{}: the kernel's support is 2 x {:g} d_ref = {:g} m. Give these walls more layers in the "
-        "case, or run with a smaller solver.smoothing_length",
-        thin, settings.smoothingLength, support));
+        "{}: the kernel's support is 2 x {:g} d_ref = {:g} m{}. Give these walls more layers in "
+        "the "
+        "case, or run with a smaller solver.smoothing_length{}",
+        thin, settings.smoothingLength, support,
+        wallsSum ? ", and walls whose density is summed need it twice" : "",
+        wallsSum ? ", with density = \"continuity\" or with wall_pressure = \"zero\"" : ""));
 }
 
 }  // namespace

@@ -66,13 +66,21 @@ Recorder<Dim>::Recorder(const RunOptions& options, const CaseSettings& settings,
 
 template <int Dim>
 void Recorder<Dim>::removeOldFiles() const {
-  const std::regex ours(R"(\d{4,}\.vtu|end\.hdf|failed\.(hdf|vtu))");
+  const std::string prefix = options_.name + "_", series = options_.name + ".pvd";
+  const std::regex state(R"(\d{4,}\.vtu|end\.hdf|failed\.(hdf|vtu))");
+  std::vector<fs::path> old;
   for (const auto& entry : fs::directory_iterator(options_.folder)) {
     const std::string file = entry.path().filename().string();
-    const std::string prefix = options_.name + "_";
-    if (file.starts_with(prefix) && std::regex_match(file.substr(prefix.size()), ours))
-      fs::remove(entry.path());
+    if (entry.path().extension() == ".pvd" && file != series)
+      throw InputError(fmt::format("{}: holds the run {} already; choose another with --output",
+                                   options_.folder.string(), file));
+    const bool isState =
+        file.starts_with(prefix) && std::regex_match(file.substr(prefix.size()), state);
+    if (isState || file == series || file == "first.png" || file == "last.png" ||
+        file == "summary.json")
+      old.push_back(entry.path());
   }
+  for (const fs::path& path : old) fs::remove(path);
 }
 
 template <int Dim>
@@ -114,12 +122,16 @@ void Recorder<Dim>::finish(const Simulation<Dim>& simulation) const {
 }
 
 template <int Dim>
-fs::path Recorder<Dim>::saveFailed(const Simulation<Dim>& simulation) const {
+std::string Recorder<Dim>::saveFailed(const Simulation<Dim>& simulation) const noexcept {
   const fs::path file = options_.folder / (options_.name + "_failed.hdf");
-  writeVtu(options_.folder / (options_.name + "_failed.vtu"), simulation.particles(),
-           {simulation.time(), std::nullopt});
-  writeParticleFile(file, simulation.scene());
-  return file;
+  try {
+    writeParticleFile(file, simulation.scene());
+    writeVtu(options_.folder / (options_.name + "_failed.vtu"), simulation.particles(),
+             {simulation.time(), std::nullopt});
+    return "the last state is in " + file.string();
+  } catch (const std::exception& error) {
+    return std::string("and the last state could not be saved: ") + error.what();
+  }
 }
 
 template <int Dim>

@@ -17,7 +17,8 @@ template <int Dim>
 class Recorder {
  public:
   /// Makes the folder and removes what an earlier run of this name left there. Throws InputError
-  /// for output settings that name unknown fields or fields that the run does not model.
+  /// for output settings that name unknown fields or fields that the run does not model, and for a
+  /// folder that holds a run of another name.
   Recorder(const RunOptions& options, const CaseSettings& settings,
            const Simulation<Dim>& simulation);
 
@@ -27,8 +28,9 @@ class Recorder {
   void drawFirst(const Simulation<Dim>& simulation) const;
   void finish(const Simulation<Dim>& simulation) const;  ///< last picture, end file, summary
 
-  /// The state as it stands when a run fails: NAME_failed.hdf and .vtu. Returns the file's path.
-  std::filesystem::path saveFailed(const Simulation<Dim>& simulation) const;
+  /// Writes the state as it stands when a run fails, NAME_failed.hdf and .vtu. Returns a sentence
+  /// that says where it is, or why it could not be written; throws nothing.
+  std::string saveFailed(const Simulation<Dim>& simulation) const noexcept;
 
   const std::vector<Figure>& lastRow() const { return row_; }
   double wallClock() const;  ///< since the run began [s]

@@ -79,10 +79,8 @@ std::vector<Figure> runScene(Scene<Dim> scene, const CaseSettings& settings,
         states.advance();
       }
     }
-  } catch (const RunError& error) {
-    const auto file = recorder.saveFailed(simulation);
-    throw RunError(
-        fmt::format("{}; the state before this step is in {}", error.what(), file.string()));
+  } catch (const std::exception& error) {
+    throw RunError(std::string(error.what()) + "; " + recorder.saveFailed(simulation));
   }
   progress.finish(fmt::format("{} steps", simulation.nSteps()));
   recorder.finish(simulation);

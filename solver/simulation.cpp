@@ -40,7 +40,7 @@ template <int Dim>
 typename Engine<Dim>::Options engineOptions(const SceneInfo<Dim>& info, const SolverSettings& s) {
   typename Engine<Dim>::Options options;
   options.support = 2 * s.smoothingLength * info.spacing;
-  options.wallsReceive = !info.walls.empty() && s.wallPressure == "equation_of_state";
+  options.wallsReceive = !info.walls.empty() && s.wallsEvolve();
   return options;
 }
 
@@ -49,21 +49,24 @@ typename Engine<Dim>::Options engineOptions(const SceneInfo<Dim>& info, const So
 template <int Dim>
 Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings)
     : settings_(settings),
-      info_(std::move(checked(scene, settings).info)),
-      particles_(std::move(scene.particles)),
-      engine_(info_.domain, engineOptions(info_, settings)),
-      passes_(selectPasses<Dim>(settings, info_.spacing, particles_.nWalls() > 0)),
-      materials_(fluidStates(info_.materials, settings)),
-      wallMaterials_(wallStates(info_.walls, settings)),
-      wallMotion_(info_.walls, particles_, info_.time) {
+      scene_(std::move(checked(scene, settings))),
+      engine_(scene_.info.domain, engineOptions(scene_.info, settings)),
+      passes_(selectPasses<Dim>(settings, scene_.info.spacing, scene_.particles.nWalls() > 0)),
+      materials_(fluidStates(scene_.info.materials, settings)),
+      wallMaterials_(wallStates(scene_.info.walls, settings)),
+      wallMotion_(scene_.info.walls, scene_.particles, scene_.info.domain, scene_.info.time) {
   for (int a = 0; a < Dim && !settings_.gravity.empty(); ++a)
     gravity_[a] = settings_.gravity[static_cast<std::size_t>(a)];
-  info_.kernel = settings_.kernel;
-  info_.smoothingLength = smoothingLength();
+  scene_.info.kernel = settings_.kernel;
+  scene_.info.smoothingLength = smoothingLength();
 
   const FieldSet needed = neededFields();
-  particles_.add(needed);
-  particles_.remove(particles_.fields().without(needed));
+  scene_.particles.add(needed);
+  scene_.particles.remove(scene_.particles.fields().without(needed));
+  if (settings_.density == "summation") {  // so that the first state shown is one of the run
+    engine_.update(scene_.particles);
+    updateDensity(0);
+  }
   updatePressure();
 }
 
@@ -71,8 +74,8 @@ template <int Dim>
 FieldSet Simulation<Dim>::neededFields() const {
   FieldSet needed{field::position, field::velocity, field::mass,
                   field::density,  field::pressure, field::id};
-  if (particles_.nWalls() > 0) needed |= {field::wall, field::normal, field::wallDistance};
-  if (info_.materials.size() > 1) needed |= {field::material};
+  if (scene_.particles.nWalls() > 0) needed |= {field::wall, field::normal, field::wallDistance};
+  if (scene_.info.materials.size() > 1) needed |= {field::material};
   for (const auto* pass : {&passes_.density, &passes_.forces, &passes_.collisions})
     if (*pass) needed |= (*pass)->reads() | (*pass)->writes();
   return needed;
@@ -80,99 +83,112 @@ FieldSet Simulation<Dim>::neededFields() const {
 
 template <int Dim>
 void Simulation<Dim>::step(double dt) {
-  engine_.update(particles_);
+  engine_.update(scene_.particles);
   updateDensity(dt);
   updatePressure();
-  passes_.forces->run(engine_, particles_);
-  refuseNonFiniteForces();
+  passes_.forces->run(engine_, scene_.particles);
   kick(dt);
   collide();
   drift(dt);
-  info_.time += dt;
+  scene_.info.time += dt;
   ++nSteps_;
-  wallMotion_.moveTo(time(), particles_);
+  wallMotion_.moveTo(time(), scene_.particles);
 }
 
 /// Fluids, and walls too where they follow the fluid's equations.
 template <int Dim>
 std::size_t Simulation<Dim>::nDensityReceivers() const {
-  return settings_.wallPressure == "equation_of_state" ? particles_.size() : particles_.nFluid();
+  return settings_.wallsEvolve() ? scene_.particles.size() : scene_.particles.nFluid();
 }
 
 template <int Dim>
 void Simulation<Dim>::updateDensity(double dt) {
-  passes_.density->run(engine_, particles_);
+  passes_.density->run(engine_, scene_.particles);
   if (!passes_.density->writes().has(field::densityRate)) return;
-  const auto density = particles_[field::density];
-  const auto rate = particles_[field::densityRate];
+  const auto density = scene_.particles[field::density];
+  const auto rate = scene_.particles[field::densityRate];
+  requireSound("the density is no longer positive and finite", [&](std::size_t i) {
+    const double next = density[i] + dt * rate[i];
+    return next > 0 && std::isfinite(next);
+  });
   forEachIndex(nDensityReceivers(), [&](std::size_t i) { density[i] += dt * rate[i]; });
 }
 
 template <int Dim>
 void Simulation<Dim>::updatePressure() {
-  const std::size_t nFluid = particles_.nFluid();
-  const auto density = std::as_const(particles_)[field::density];
-  const auto pressure = particles_[field::pressure];
+  const std::size_t nFluid = scene_.particles.nFluid();
+  const auto density = std::as_const(scene_.particles)[field::density];
+  const auto pressure = scene_.particles[field::pressure];
   std::span<const std::int32_t> materialOf, wallOf;
-  if (particles_.has(field::material)) materialOf = particles_[field::material];
+  if (scene_.particles.has(field::material)) materialOf = scene_.particles[field::material];
   materials_.pressures(density.first(nFluid), materialOf, pressure.first(nFluid));
-  if (particles_.nWalls() == 0) return;
-  if (settings_.wallPressure == "zero") {
-    std::ranges::fill(pressure.subspan(nFluid), 0.0);
-  } else {
-    wallOf = particles_[field::wall];
+  if (scene_.particles.nWalls() == 0) return;
+  if (settings_.wallsEvolve()) {
+    wallOf = scene_.particles[field::wall];
     wallMaterials_.pressures(density.subspan(nFluid), wallOf, pressure.subspan(nFluid));
+  } else {
+    std::ranges::fill(pressure.subspan(nFluid), 0.0);
   }
 }
 
 template <int Dim>
-void Simulation<Dim>::refuseNonFiniteForces() const {
-  const auto acceleration = particles_[field::acceleration];
-  const std::size_t n = acceleration.size();
-  std::size_t i = n;
-#pragma omp parallel for schedule(static) reduction(min : i) if (n >= worthThreads)
-  for (std::size_t k = 0; k < n; ++k)
-    if (!std::isfinite(normSquared(acceleration[k]))) i = std::min(i, k);
-  if (i == n) return;
+template <class IsSound>
+void Simulation<Dim>::requireSound(const char* what, IsSound&& isSound) const {
+  const std::size_t n = scene_.particles.nFluid();
+  std::size_t bad = n;
+#pragma omp parallel for schedule(static) reduction(min : bad) if (n >= worthThreads)
+  for (std::size_t i = 0; i < n; ++i)
+    if (!isSound(i)) bad = std::min(bad, i);
+  if (bad < n) fail(what, bad);
+}
+
+template <int Dim>
+void Simulation<Dim>::fail(const char* what, std::size_t i) const {
+  const ParticleSet<Dim>& particles = scene_.particles;
   throw RunError(fmt::format(
-      "the force on particle {} at ({:.4g}) is not finite at t = {:.6g} s, step {}: likely a time "
-      "step that is too large or particles that overlap; try --set solver.time_step={:.2g}",
-      particles_[field::id][i], fmt::join(particles_[field::position][i].components, ", "), time(),
-      nSteps_, 0.05 * smoothingLength() / settings_.soundSpeed));
+      "particle {} at ({:.4g}): {} at t = {:.6g} s, step {}: likely a time step that is too large "
+      "or particles that overlap; try --set solver.time_step={:.2g}",
+      particles[field::id][i], fmt::join(particles[field::position][i].components, ", "), what,
+      time(), nSteps_, 0.05 * smoothingLength() / settings_.soundSpeed));
 }
 
 template <int Dim>
 void Simulation<Dim>::kick(double dt) {
-  const auto velocity = particles_[field::velocity];
-  const auto acceleration = particles_[field::acceleration];
-  forEachIndex(particles_.nFluid(),
+  const auto velocity = scene_.particles[field::velocity];
+  const auto acceleration = scene_.particles[field::acceleration];
+  requireSound("the force is not finite", [&](std::size_t i) {
+    return std::isfinite(normSquared(velocity[i] + dt * acceleration[i]));
+  });
+  forEachIndex(scene_.particles.nFluid(),
                [&](std::size_t i) { velocity[i] += dt * (acceleration[i] + gravity_); });
 }
 
 template <int Dim>
 void Simulation<Dim>::collide() {
   if (!passes_.collisions) return;
-  passes_.collisions->run(engine_, particles_);
-  const auto velocity = particles_[field::velocity];
-  const auto change = particles_[field::velocityChange];
-  forEachIndex(particles_.nFluid(), [&](std::size_t i) { velocity[i] += change[i]; });
+  passes_.collisions->run(engine_, scene_.particles);
+  const auto velocity = scene_.particles[field::velocity];
+  const auto change = scene_.particles[field::velocityChange];
+  requireSound("the change of velocity by collisions is not finite",
+               [&](std::size_t i) { return std::isfinite(normSquared(velocity[i] + change[i])); });
+  forEachIndex(scene_.particles.nFluid(), [&](std::size_t i) { velocity[i] += change[i]; });
 }
 
 template <int Dim>
 void Simulation<Dim>::drift(double dt) {
-  const auto position = particles_[field::position];
-  const auto velocity = particles_[field::velocity];
-  forEachIndex(particles_.nFluid(), [&](std::size_t i) {
-    position[i] = info_.domain.wrap(position[i] + dt * velocity[i]);
+  const auto position = scene_.particles[field::position];
+  const auto velocity = scene_.particles[field::velocity];
+  forEachIndex(scene_.particles.nFluid(), [&](std::size_t i) {
+    position[i] = scene_.info.domain.wrap(position[i] + dt * velocity[i]);
   });
 }
 
 template <int Dim>
 double Simulation<Dim>::maxTimeStep() const {
   if (settings_.timeStep) return *settings_.timeStep;
-  const auto velocity = particles_[field::velocity];
-  const auto acceleration = particles_[field::acceleration];
-  const std::size_t n = particles_.nFluid();
+  const auto velocity = scene_.particles[field::velocity];
+  const auto acceleration = scene_.particles[field::acceleration];
+  const std::size_t n = scene_.particles.nFluid();
   double speed = 0, force = 0;
 #pragma omp parallel for schedule(static) reduction(max : speed, force) if (n >= worthThreads)
   for (std::size_t i = 0; i < n; ++i) {
@@ -182,13 +198,20 @@ double Simulation<Dim>::maxTimeStep() const {
   const double h = smoothingLength();
   const double bySignal = h / (settings_.soundSpeed + std::sqrt(speed));
   const double byForce = force > 0 ? std::sqrt(h / std::sqrt(force)) : bySignal;
-  return settings_.cfl * std::min(bySignal, byForce);
+  const double step = settings_.cfl * std::min(bySignal, byForce);
+  if (!(step > 1e-6 * h / settings_.soundSpeed)) {
+    const auto isFastest = [&](const Vec<Dim>& v) { return normSquared(v) >= speed; };
+    const auto fastest = std::ranges::find_if(velocity.first(n), isFastest) - velocity.begin();
+    fail("the fastest of all, makes the cfl time step fall below a millionth of h/c",
+         static_cast<std::size_t>(fastest));
+  }
+  return step;
 }
 
 template <int Dim>
 double Simulation<Dim>::bytesPerParticle() const {
-  return particles_.bytesPerParticle() +
-         static_cast<double>(engine_.bytes()) / static_cast<double>(particles_.size());
+  return scene_.particles.bytesPerParticle() +
+         static_cast<double>(engine_.bytes()) / static_cast<double>(scene_.particles.size());
 }
 
 template class Simulation<1>;

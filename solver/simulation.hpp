@@ -18,7 +18,8 @@ class Simulation {
 
   /// One step of symplectic Euler, as the sources have it: density, pressure and forces at the old
   /// positions, then the velocities, then the positions. dt [s] <= maxTimeStep() unless the case
-  /// fixes it. Throws RunError, before anything moves, if a force is not finite.
+  /// fixes it. Throws RunError, before anything moves, if a force or velocity is not finite or a
+  /// density not positive.
   void step(double dt);
 
   /// Steps until `target` [s] is met exactly, in steps of equal length where the step is fixed.
@@ -27,20 +28,22 @@ class Simulation {
   void advanceTo(double target, AfterStep&& afterStep);
 
   /// cfl min(h/(c + |v|), sqrt(h/|a|)) over all fluid particles, or the fixed step of the case [s].
+  /// Throws RunError if it has become senselessly small.
   double maxTimeStep() const;
 
-  double time() const { return info_.time; }
+  double time() const { return scene_.info.time; }
   long nSteps() const { return nSteps_; }
-  const SceneInfo<Dim>& info() const { return info_; }
-  const ParticleSet<Dim>& particles() const { return particles_; }
+  const SceneInfo<Dim>& info() const { return scene_.info; }
+  const ParticleSet<Dim>& particles() const { return scene_.particles; }
   const Engine<Dim>& engine() const { return engine_; }
   const SolverSettings& settings() const { return settings_; }
   const MaterialTable& materials() const { return materials_; }
   Vec<Dim> gravity() const { return gravity_; }
-  double smoothingLength() const { return settings_.smoothingLength * info_.spacing; }
+  double smoothingLength() const { return settings_.smoothingLength * scene_.info.spacing; }
 
-  /// The scene as it is now, for files.
-  Scene<Dim> scene() const { return {info_, particles_}; }
+  /// The scene as it is now, for files. Positions and velocities are those at time(); density and
+  /// pressure those that moved them there, of the positions one step before.
+  const Scene<Dim>& scene() const { return scene_; }
 
   double bytesPerParticle() const;
 
@@ -51,12 +54,16 @@ class Simulation {
   void kick(double dt);
   void collide();
   void drift(double dt);
-  void refuseNonFiniteForces() const;
+
+  /// Throws RunError that names the first fluid particle i for which isSound(i) is false.
+  template <class IsSound>
+  void requireSound(const char* what, IsSound&& isSound) const;
+  [[noreturn]] void fail(const char* what, std::size_t particle) const;
+
   std::size_t nDensityReceivers() const;
 
   SolverSettings settings_;
-  SceneInfo<Dim> info_;
-  ParticleSet<Dim> particles_;
+  Scene<Dim> scene_;
   Engine<Dim> engine_;
   StepPasses<Dim> passes_;
   MaterialTable materials_;  // of the fluids
@@ -74,7 +81,7 @@ void Simulation<Dim>::advanceTo(double target, AfterStep&& afterStep) {
     const double steps = std::ceil((target - time()) / maxTimeStep() - 1e-9);
     if (steps <= 1) {
       step(target - time());
-      info_.time = target;
+      scene_.info.time = target;
     } else {
       step((target - time()) / steps);
     }

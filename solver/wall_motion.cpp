@@ -59,10 +59,11 @@ Vec<Dim> velocityAt(const RigidMotion& motion, const Vec<Dim>& x, const Vec<Dim>
 
 template <int Dim>
 WallMotion<Dim>::WallMotion(std::vector<Wall> walls, const ParticleSet<Dim>& particles,
-                            double startTime)
-    : walls_(std::move(walls)), startTime_(startTime) {
-  anyMoves_ = std::ranges::any_of(walls_, [](const Wall& w) { return !w.motion.isStill(); });
-  if (!anyMoves_ || particles.nWalls() == 0) return;
+                            const Box<Dim>& domain, double startTime)
+    : walls_(std::move(walls)), domain_(domain), startTime_(startTime) {
+  const bool anyMoves =
+      std::ranges::any_of(walls_, [](const Wall& w) { return !w.motion.isStill(); });
+  if (!anyMoves || particles.nWalls() == 0) return;
   const auto ids = particles[field::id].subspan(particles.nFluid());
   const auto [low, high] = std::ranges::minmax(ids);
   if (high - low + 1 != ids.size())
@@ -96,9 +97,10 @@ void WallMotion<Dim>::moveTo(double time, ParticleSet<Dim>& particles) {
     if (motion.isStill()) return;
     const Displacement& displacement = displacements_[w];
     const Start& start = start_[ids[k] - firstId_];
-    positions[k] = displacement.moved(start.position);
+    const Vec<Dim> position = displacement.moved(start.position);
+    positions[k] = domain_.wrap(position);
     normals[k] = displacement.turned(start.normal);
-    velocities[k] = velocityAt(motion, positions[k], fromThree<Dim>(displacement.centerAfter));
+    velocities[k] = velocityAt(motion, position, fromThree<Dim>(displacement.centerAfter));
   });
 }
 

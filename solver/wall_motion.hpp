@@ -30,13 +30,13 @@ Vec<Dim> velocityAt(const RigidMotion& motion, const Vec<Dim>& x, const Vec<Dim>
 template <int Dim>
 class WallMotion {
  public:
-  /// Remembers where the walls are at `startTime` [s]. Throws InputError if the ids of the wall
-  /// particles are not consecutive, as `plenum-ic` numbers them.
-  WallMotion(std::vector<Wall> walls, const ParticleSet<Dim>& particles, double startTime);
+  /// Remembers where the walls are at `startTime` [s]; moves nothing if none has a motion. Throws
+  /// InputError if the ids of the wall particles are not consecutive, as `plenum-ic` numbers them.
+  WallMotion(std::vector<Wall> walls, const ParticleSet<Dim>& particles, const Box<Dim>& domain,
+             double startTime);
 
-  bool anyMoves() const { return anyMoves_; }
-
-  /// Sets positions, velocities and normals of all moving walls to those at `time` [s].
+  /// Sets positions (wrapped into the periodic domain), velocities and normals of all moving walls
+  /// to those at `time` [s].
   void moveTo(double time, ParticleSet<Dim>& particles);
 
  private:
@@ -46,8 +46,8 @@ class WallMotion {
   };
 
   std::vector<Wall> walls_;
+  Box<Dim> domain_;
   double startTime_;
-  bool anyMoves_ = false;
   std::uint64_t firstId_ = 0;                // smallest id of a wall particle
   std::vector<Start> start_;                 // by id - firstId_; empty if no wall moves
   std::vector<Displacement> displacements_;  // per wall, of the current call

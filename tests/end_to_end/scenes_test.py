@@ -78,7 +78,10 @@ class Scenes(Programs):
         process = subprocess.Popen(
             (SPH, "run", "shaft.hdf", "-o", "out", "--quiet", "--set", "output.every=1e-4"),
             cwd=self.folder)
-        time.sleep(1.0)
+        deadline = time.monotonic() + 120
+        while len(glob.glob(self.path("out", "shaft_*.vtu"))) < 4:
+            self.assertLess(time.monotonic(), deadline, "the run writes nothing")
+            time.sleep(0.05)
         process.send_signal(signal.SIGKILL)
         process.wait()
         files = sorted(glob.glob(self.path("out", "shaft_*.vtu")))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The gas-filled box of Kruisbrink et al. 2018: which kernels let particles pair in 2-D. Published
-// as pictures; the ranges below are those of an independent prototype over 8 to 16 seeds.
+// as pictures; reference figures: docs/validation.md.
 #include "tests/support/run_case.hpp"
 
 #include <iostream>
@@ -36,8 +36,8 @@ void expectMomentumConserved(const Box& box) { EXPECT_LE(box.momentum, 1e-12 * 1
 void expectUnpaired(const test::Changes& changes) {
   for (const Box& box : runSeeds(changes)) {
     EXPECT_EQ(box.below05, 0);
-    EXPECT_GE(box.minNearest, 0.75);  // prototype: .79 and more
-    EXPECT_GE(box.psi6, 0.55);        // prototype: .61 and more
+    EXPECT_GE(box.minNearest, 0.75);  // docs/validation.md: .79 and more
+    EXPECT_GE(box.psi6, 0.55);        // .61 and more
     expectMomentumConserved(box);
   }
 }

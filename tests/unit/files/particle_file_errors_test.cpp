@@ -17,12 +17,6 @@
 #include <iterator>
 #include <limits>
 
-#ifdef __SANITIZE_ADDRESS__
-/// HDF5 loses some hundred bytes of its own when it gives up on a damaged file.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
-#endif
-
 namespace plenum {
 namespace {
 

@@ -2,6 +2,7 @@
 #include "particles/kernels.hpp"
 #include "solver/conserved.hpp"
 #include "solver/simulation.hpp"
+#include "solver/state_row.hpp"
 #include "tests/support/jittered_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -111,6 +112,23 @@ TYPED_TEST(ConservationTest, StatesHaveTheSameBitsForAnyNumberOfThreads) {
   const std::size_t bytes = states[0].size() * sizeof(Vec<Dim>);
   EXPECT_EQ(std::memcmp(states[0].data(), states[1].data(), bytes), 0);
   EXPECT_EQ(std::memcmp(states[0].data(), states[2].data(), bytes), 0);
+}
+
+TEST(Threads, ManyParticlesAndAllMeasuresHaveTheSameBits) {
+  // Enough for every parallel loop to be parallel: more than worthThreads and several blocks.
+  std::vector<std::vector<Figure>> rows;
+  for (const int nThreads : {1, 2, 3}) {
+    omp_set_num_threads(nThreads);
+    Simulation<2> simulation(test::jitteredScene<2>(150, true, 0.2, 1.0),
+                             settingsWith("continuity", true, true));
+    for (int k = 0; k < 8; ++k) simulation.step(simulation.maxTimeStep());
+    rows.push_back(measureState(simulation, false, 0));
+  }
+  omp_set_num_threads(omp_get_num_procs());
+  for (std::size_t k = 0; k < rows[0].size(); ++k) {
+    EXPECT_EQ(rows[0][k].value, rows[1][k].value) << rows[0][k].name;
+    EXPECT_EQ(rows[0][k].value, rows[2][k].value) << rows[0][k].name;
+  }
 }
 
 TYPED_TEST(ConservationTest, OrderOfTheParticlesInTheFileDoesNotMatter) {

@@ -61,6 +61,16 @@ TEST(Preflight, NamesTheMissingLayersOfAThinWall) {
   EXPECT_EQ(refusal(scene, settings), "");
 }
 
+TEST(Preflight, WallsWhoseDensityIsSummedNeedTwiceTheSupport) {
+  Scene<2> scene = gas();
+  scene.info.walls = {{"floor", "lattice", 4, 0.4, 1.0, {}}};
+  SolverSettings settings;
+  settings.wallPressure = "equation_of_state";
+  EXPECT_NE(refusal(scene, settings).find("2 layers"), std::string::npos);
+  settings.density = "continuity";
+  EXPECT_EQ(refusal(scene, settings), "");
+}
+
 TEST(Preflight, RefusesCollisionsBeyondTheSupport) {
   SolverSettings settings;
   settings.smoothingLength = 0.7;
@@ -81,12 +91,43 @@ TEST(Simulation, StopsBeforeANonFiniteForceMovesAnything) {
     FAIL() << "no error";
   } catch (const RunError& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("force on particle"), std::string::npos) << message;
+    EXPECT_TRUE(message.starts_with("particle ")) << message;
+    EXPECT_NE(message.find("the force is not finite"), std::string::npos) << message;
     EXPECT_NE(message.find("t = "), std::string::npos) << message;
   }
   const auto order = test::byId(simulation.particles());
   for (std::size_t k = 0; k < order.size(); ++k)
     EXPECT_EQ(simulation.particles()[field::position][order[k]], before[k]);
+}
+
+TEST(Simulation, StopsWhenTheTimeStepVanishes) {
+  Scene<2> scene = gas();
+  scene.particles[field::velocity][12] = {{1e9, 0}};
+  Simulation<2> simulation(std::move(scene), SolverSettings{});
+  try {
+    simulation.advanceTo(1.0, [] {});
+    FAIL() << "no error";
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("particle 13"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("cfl time step"), std::string::npos);
+  }
+}
+
+TEST(Simulation, StopsBeforeADensityTurnsNegative) {
+  SolverSettings settings;
+  settings.density = "continuity";
+  Scene<2> scene = gas();
+  for (std::size_t i = 0; i < scene.particles.size(); ++i)  // everything flies apart
+    scene.particles[field::velocity][i] =
+        100.0 * (scene.particles[field::position][i] - scene.info.domain.center());
+  Simulation<2> simulation(std::move(scene), settings);
+  try {
+    simulation.step(0.1);
+    FAIL() << "no error";
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("density"), std::string::npos) << error.what();
+  }
+  for (const double rho : simulation.particles()[field::density]) EXPECT_GT(rho, 0);
 }
 
 }  // namespace

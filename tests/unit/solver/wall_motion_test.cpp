@@ -26,8 +26,7 @@ TEST(WallMotion, RotationIsRigidAndExactAfterManyTurns) {
   shaft.motion.center = {0.5, 0.5, 0};
   const std::vector<Vec<2>> before(particles[field::position].begin(),
                                    particles[field::position].end());
-  WallMotion<2> motion({shaft, housing}, particles, 0.0);
-  ASSERT_TRUE(motion.anyMoves());
+  WallMotion<2> motion({shaft, housing}, particles, {}, 0.0);
   for (int k = 1; k <= 4000; ++k) motion.moveTo(k * 0.25, particles);  // ends after 1000 turns
   for (std::size_t k = 0; k < 20; ++k)  // sin(2 pi 1000) is 2.5e-13 in double
     EXPECT_LE(norm(particles[field::position][3 + k] - before[3 + k]), 1e-12);
@@ -51,7 +50,7 @@ TEST(WallMotion, VelocityIsTheDerivativeOfThePosition) {
   wall.motion.angularVelocity = {0.3, -0.7, 1.1};
   wall.motion.velocity = {0.2, 0.1, -0.4};
   wall.motion.center = {0.1, 0.2, 0.3};
-  WallMotion<3> motion({wall, wall}, particles, 0.5);
+  WallMotion<3> motion({wall, wall}, particles, {}, 0.5);
   const auto at = [&](double time) {
     auto moved = particles;
     motion.moveTo(time, moved);
@@ -68,12 +67,27 @@ TEST(WallMotion, VelocityIsTheDerivativeOfThePosition) {
     EXPECT_LE(norm(start[field::position][k] - particles[field::position][k]), 1e-15);
 }
 
+TEST(WallMotion, StaysInAPeriodicDomain) {
+  auto particles = walls<2>(5);
+  const auto before = particles;
+  Wall lid;
+  lid.motion.velocity = {1, 0, 0};
+  const Box<2> domain = test::unitBox<2>(true);
+  WallMotion<2> motion({lid, lid}, particles, domain, 0);
+  motion.moveTo(3.25, particles);
+  for (std::size_t k = 3; k < 8; ++k) {
+    EXPECT_TRUE(domain.contains(particles[field::position][k]));
+    const Vec<2> path = particles[field::position][k] - before[field::position][k];
+    EXPECT_LE(norm(domain.nearestImage(path - Vec<2>{{0.25, 0}})), 1e-14);  // round-off of 3.25
+  }
+}
+
 TEST(WallMotion, RefusesWallIdsWithGaps) {
   auto particles = walls<2>(5);
   particles[field::id][4] = 100;
   Wall wall;
   wall.motion.velocity = {1, 0, 0};
-  EXPECT_THROW(WallMotion<2>({wall, wall}, particles, 0), InputError);
+  EXPECT_THROW(WallMotion<2>({wall, wall}, particles, {}, 0), InputError);
 }
 
 }  // namespace
