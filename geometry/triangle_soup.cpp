@@ -47,14 +47,30 @@ std::vector<Side> sidesOf(const TriangleSoup& soup) {
   return sides;
 }
 
+/// Six times the volume of the tetrahedron of a triangle and `origin` [m^3].
+double sixfoldVolume(const TriangleSoup& soup, std::size_t triangle, const Vec<3>& origin) {
+  return dot(soup.corner(triangle, 0) - origin,
+             cross(soup.corner(triangle, 1) - origin, soup.corner(triangle, 2) - origin));
+}
+
 /// A part of the surface that hangs together.
 struct Shell {
-  TriangleSoup surface;  ///< with all points
+  const TriangleSoup& whole;
+  std::vector<std::size_t> triangles;
   Box<3> bounds = Box<3>::nothing();
 
-  void add(const std::array<std::size_t, 3>& triangle) {
-    surface.triangles.push_back(triangle);
-    for (std::size_t k : triangle) bounds.extend(surface.points[k]);
+  void add(std::size_t triangle) {
+    triangles.push_back(triangle);
+    for (std::size_t k = 0; k < 3; ++k) bounds.extend(whole.corner(triangle, k));
+  }
+
+  /// A point of it [m].
+  Vec<3> somewhere() const { return whole.center(triangles.front()); }
+
+  double signedVolume() const {
+    long double sum = 0;
+    for (std::size_t t : triangles) sum += sixfoldVolume(whole, t, bounds.center());
+    return static_cast<double>(sum / 6);
   }
 
   /// By the angle under which its triangles are seen from `x`: a full sphere inside, none outside.
@@ -62,10 +78,10 @@ struct Shell {
   bool contains(const Vec<3>& x) const {
     if (!bounds.contains(x)) return false;
     double sum = 0;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      const Vec<3> a = surface.corner(t, 0) - x;
-      const Vec<3> b = surface.corner(t, 1) - x;
-      const Vec<3> c = surface.corner(t, 2) - x;
+    for (std::size_t t : triangles) {
+      const Vec<3> a = whole.corner(t, 0) - x;
+      const Vec<3> b = whole.corner(t, 1) - x;
+      const Vec<3> c = whole.corner(t, 2) - x;
       const double la = norm(a), lb = norm(b), lc = norm(c);
       const double scale = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
       sum += 2 * std::atan2(dot(a, cross(b, c)), scale);
@@ -143,16 +159,16 @@ std::vector<Shell> shellsOf(const TriangleSoup& soup, const std::vector<Side>& s
   for (std::size_t t = 0; t < parent.size(); ++t) {
     if (root(t) == t) {
       number[t] = shells.size();
-      shells.push_back({{soup.points, {}}});
+      shells.push_back({soup, {}});
     }
-    shells[number[root(t)]].add(soup.triangles[t]);
+    shells[number[root(t)]].add(t);
   }
   return shells;
 }
 
 /// In how many others a shell lies.
 std::ptrdiff_t depthOf(const Shell& shell, const std::vector<Shell>& shells) {
-  const Vec<3> point = shell.surface.center(0);
+  const Vec<3> point = shell.somewhere();
   return std::ranges::count_if(
       shells, [&](const Shell& other) { return &other != &shell && other.contains(point); });
 }
@@ -161,9 +177,9 @@ void checkOrientation(const TriangleSoup& soup, const std::vector<Side>& sides,
                       const std::string& source) {
   const std::vector<Shell> shells = shellsOf(soup, sides);
   for (const Shell& shell : shells) {
-    const Vec<3> seenAt = shell.surface.center(0);
+    const Vec<3> seenAt = shell.somewhere();
     const std::ptrdiff_t depth = depthOf(shell, shells);
-    const double volume = signedVolume(shell.surface);
+    const double volume = shell.signedVolume();
     if (depth % 2 == 0 && volume < 0)
       throw InputError(
           fmt::format("{}: the surface{} is inside out (its triangles run clockwise "
@@ -183,9 +199,7 @@ void checkOrientation(const TriangleSoup& soup, const std::vector<Side>& sides,
 double signedVolume(const TriangleSoup& soup) {
   long double sum = 0;
   const Vec<3> origin = boundsOf(soup).center();  // no cancellation far from (0, 0, 0)
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-    sum += dot(soup.corner(t, 0) - origin,
-               cross(soup.corner(t, 1) - origin, soup.corner(t, 2) - origin));
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) sum += sixfoldVolume(soup, t, origin);
   return static_cast<double>(sum / 6);
 }
 
@@ -261,10 +275,10 @@ TriangleSoup turnedOutwards(TriangleSoup soup) {
   const std::vector<Shell> shells = shellsOf(soup, sides);
   for (const Shell& shell : shells) {
     const bool isCavity = depthOf(shell, shells) % 2 == 1;
-    const bool flip = (signedVolume(shell.surface) < 0) != isCavity;
-    for (auto t : shell.surface.triangles) {
-      if (flip) std::swap(t[1], t[2]);
-      result.triangles.push_back(t);
+    const bool flip = (shell.signedVolume() < 0) != isCavity;
+    for (std::size_t t : shell.triangles) {
+      result.triangles.push_back(soup.triangles[t]);
+      if (flip) std::swap(result.triangles.back()[1], result.triangles.back()[2]);
     }
   }
   return result;
