@@ -2,6 +2,7 @@
 #include "geometry/cad_file.hpp"
 #include "geometry/gmsh_session.hpp"
 #include "geometry/print.hpp"
+#include "geometry/text_reader.hpp"
 #include "particles/box.hpp"
 #include "particles/errors.hpp"
 
@@ -184,7 +185,7 @@ CadLoops readCadLoops(const std::filesystem::path& path, std::optional<double> t
     const double size = norm(upper - lower);
     result.tolerance = tolerance.value_or(relativeTolerance * size);
     std::vector<Polyline> lines;
-    if (path.extension() == ".msh") {
+    if (extensionOf(path) == ".msh") {
       lines = meshBoundary(source);
     } else {
       gmsh::model::getBoundary(surfaces, curves, true, false, false);

@@ -2,6 +2,7 @@
 #include "geometry/cad_file.hpp"
 #include "geometry/gmsh_session.hpp"
 #include "geometry/print.hpp"
+#include "geometry/text_reader.hpp"
 #include "particles/errors.hpp"
 
 #include <gmsh.h>
@@ -202,7 +203,7 @@ CadSurface readCadSurface(const std::filesystem::path& path, std::optional<doubl
                         "extrude it to a solid, or set dimension = 2",
                         source, "xyz"[a]));
     const double allowed = tolerance.value_or(relativeTolerance * size);
-    if (path.extension() == ".msh")
+    if (extensionOf(path) == ".msh")
       result.soup = meshSurface(source);
     else
       result = meshedWithin(allowed, size, source);

@@ -9,20 +9,12 @@
 #include "particles/errors.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace plenum {
 
 namespace {
 
 enum class Kind { polygon, mesh, cad };
-
-std::string extensionOf(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
 
 Kind kindOf(const std::filesystem::path& path, int dimension) {
   const std::string extension = extensionOf(path);

@@ -7,13 +7,6 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 
-#include <iostream>
-
-#ifdef __SANITIZE_ADDRESS__
-/// gmsh and OpenCASCADE leak by themselves; the leak sanitizer asks here what to pass over.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libgmsh\nleak:libTK\n"; }
-#endif
-
 namespace plenum {
 
 namespace {
@@ -35,7 +28,7 @@ std::string complaint(const std::string& printed) {
 
 }  // namespace
 
-GmshSession::GmshSession() : lock_(gmshMutex()), console_(std::cout.rdbuf(printed_.rdbuf())) {
+GmshSession::GmshSession() : lock_(gmshMutex()) {
   gmsh::initialize(0, nullptr, false);  // no configuration files: the same on every machine
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setString("Geometry.OCCTargetUnit", "M");
@@ -46,7 +39,6 @@ GmshSession::~GmshSession() {
     gmsh::finalize();
   } catch (...) {  // nothing more can be done
   }
-  std::cout.rdbuf(console_);
 }
 
 void GmshSession::guarded(const std::string& source, const std::function<void()>& work) {
@@ -69,7 +61,7 @@ void GmshSession::guarded(const std::string& source, const std::function<void()>
 
 void GmshSession::open(const std::filesystem::path& path) {
   const std::string source = path.string();
-  readWholeFile(path);  // gmsh says nothing of files that are missing or empty
+  openFile(path);  // gmsh says nothing of files that are missing or empty
   gmsh::vectorpair entities;
   guarded(source, [&] {
     gmsh::open(source);

@@ -3,12 +3,25 @@
 
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <mutex>
 #include <sstream>
 #include <streambuf>
 #include <string>
 
 namespace plenum {
+
+/// Sends std::cout to `buffer` for as long as this lives.
+class ConsoleCapture {
+ public:
+  explicit ConsoleCapture(std::streambuf* buffer) : console_(std::cout.rdbuf(buffer)) {}
+  ~ConsoleCapture() { std::cout.rdbuf(console_); }
+  ConsoleCapture(const ConsoleCapture&) = delete;
+  ConsoleCapture& operator=(const ConsoleCapture&) = delete;
+
+ private:
+  std::streambuf* console_;
+};
 
 /// gmsh between initialisation and finalisation, silent. It is one global state: sessions of
 /// several threads wait for each other.
@@ -30,7 +43,7 @@ class GmshSession {
  private:
   std::unique_lock<std::mutex> lock_;
   std::ostringstream printed_;  ///< OpenCASCADE prints to std::cout whatever gmsh is told
-  std::streambuf* console_;
+  ConsoleCapture capture_{printed_.rdbuf()};
 };
 
 }  // namespace plenum

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -14,13 +13,6 @@
 namespace plenum {
 
 namespace {
-
-std::string lowerExtension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
 
 Vec<3> readPoint(TextReader& words, char comment = '\0') {
   const double x = words.number(comment);
@@ -134,8 +126,9 @@ TriangleSoup readOff(const std::string& bytes, const std::string& source) {
   TriangleSoup soup;
   for (std::size_t k = 0; k < nPoints; ++k) soup.points.push_back(readPoint(words, '#'));
   for (std::size_t k = 0; k < nFaces; ++k) {
-    std::vector<std::size_t> corners(words.count('#'));
-    if (corners.size() > nPoints) words.fail("a face has more corners than there are points");
+    const std::size_t nCorners = words.count('#');
+    if (nCorners > nPoints) words.fail("a face has more corners than there are points");
+    std::vector<std::size_t> corners(nCorners);
     for (std::size_t& corner : corners) corner = words.count('#');
     addFace(soup, corners, nPoints, fmt::format("{}:{}", source, words.line()));
     words.restOfLine();  // colours
@@ -146,7 +139,7 @@ TriangleSoup readOff(const std::string& bytes, const std::string& source) {
 TriangleSoup readMeshFile(const std::filesystem::path& path) {
   const std::string bytes = readWholeFile(path);
   const std::string source = path.string();
-  const std::string extension = lowerExtension(path);
+  const std::string extension = extensionOf(path);
   if (extension == ".stl") return readStl(bytes, source);
   if (extension == ".obj") return readObj(bytes, source);
   if (extension == ".off") return readOff(bytes, source);

@@ -6,24 +6,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace plenum {
 
-std::string readWholeFile(const std::filesystem::path& path) {
+std::string extensionOf(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+std::ifstream openFile(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   const std::string name = path.string();
   if (!fs::exists(path))
     throw InputError(name + ": no such file; paths are relative to the case file");
   if (!fs::is_regular_file(path)) throw InputError(name + ": is not a file; give a geometry file");
+  if (fs::file_size(path) == 0) throw InputError(name + ": is empty; export the geometry again");
   std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(name + ": cannot be read; check its permissions");
+  return in;
+}
+
+std::string readWholeFile(const std::filesystem::path& path) {
+  std::ifstream in = openFile(path);
   std::ostringstream bytes;
   bytes << in.rdbuf();
-  if (fs::file_size(path) == 0) throw InputError(name + ": is empty; export the geometry again");
-  if (!in || !bytes) throw InputError(name + ": cannot be read; check its permissions");
+  if (!in || !bytes) throw InputError(path.string() + ": cannot be read; check its permissions");
   return bytes.str();
 }
 

@@ -3,12 +3,19 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 
 namespace plenum {
 
-/// All bytes of a file. Throws InputError if it is missing, a folder, empty or cannot be read.
+/// The ending of a file's name in lower case, with its dot: ".step".
+std::string extensionOf(const std::filesystem::path& path);
+
+/// The file, open for reading. Throws InputError if it is missing, a folder, empty or not readable.
+std::ifstream openFile(const std::filesystem::path& path);
+
+/// All bytes of a file. Throws InputError as `openFile` does.
 std::string readWholeFile(const std::filesystem::path& path);
 
 /// Words of a text, with their line for messages.
