@@ -132,11 +132,20 @@ class Values {
   bool swapped_ = false;
 };
 
-void readVertex(TriangleSoup& soup, const Element& element, Values& values) {
+/// How many values a property has here.
+std::size_t lengthOf(const Property& property, Values& values, const std::string& source) {
+  if (!property.isList) return 1;
+  const double length = values.next(property.countType);
+  if (!(length >= 0 && length < 1e6))
+    throw InputError(source + ": a list has no sensible length; export it again");
+  return static_cast<std::size_t>(length);
+}
+
+void readVertex(TriangleSoup& soup, const Element& element, Values& values,
+                const std::string& source) {
   Vec<3> x;
   for (const Property& property : element.properties) {
-    const std::size_t n =
-        property.isList ? static_cast<std::size_t>(values.next(property.countType)) : 1;
+    const std::size_t n = lengthOf(property, values, source);
     for (std::size_t k = 0; k < n; ++k) {
       const double value = values.next(property.type);
       if (property.name == "x") x[0] = value;
@@ -151,11 +160,9 @@ void readVertex(TriangleSoup& soup, const Element& element, Values& values) {
 void readOther(TriangleSoup& soup, const Element& element, Values& values,
                const std::string& source) {
   for (const Property& property : element.properties) {
-    const double count = property.isList ? values.next(property.countType) : 1;
-    if (!(count >= 0 && count < 1e6))
-      throw InputError(source + ": a list has no sensible length; export it again");
+    const std::size_t n = lengthOf(property, values, source);
     std::vector<std::size_t> corners;
-    for (int k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < n; ++k) {
       const double value = values.next(property.type);
       corners.push_back(value >= 0 && value < 1e15 ? static_cast<std::size_t>(value) : SIZE_MAX);
     }
@@ -171,13 +178,15 @@ TriangleSoup readPly(const std::string& bytes, const std::string& source) {
   const Header header = readHeader(words);
   Values values(words, header.format);
   TriangleSoup soup;
-  for (const Element& element : header.elements)
+  for (const Element& element : header.elements) {
+    if (element.properties.empty()) continue;  // whatever their number, they have no values
     for (std::size_t k = 0; k < element.n; ++k) {
       if (element.name == "vertex")
-        readVertex(soup, element, values);
+        readVertex(soup, element, values, source);
       else
         readOther(soup, element, values, source);
     }
+  }
   if (soup.points.empty()) throw InputError(source + ": holds no points; export a surface mesh");
   return soup;
 }
