@@ -7,7 +7,7 @@
 namespace plenum {
 
 namespace {
-constexpr std::size_t chunkLength = 64;  // on the stack: queries allocate nothing
+constexpr std::size_t chunkLength = 64;  // on the stack: no allocation beyond what `closest` does
 }
 
 template <int Dim>

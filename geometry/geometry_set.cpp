@@ -99,13 +99,6 @@ const GeometryPtr<Dim>& GeometrySet<Dim>::find(const CaseNode& name) const {
   return regions_[static_cast<std::size_t>(found - names_.begin())];
 }
 
-template <int Dim>
-GeometryPtr<Dim> GeometrySet<Dim>::find(const std::string& name) const {
-  const auto found = std::ranges::find(names_, name);
-  if (found == names_.end()) return nullptr;
-  return regions_[static_cast<std::size_t>(found - names_.begin())];
-}
-
 std::vector<SectionDoc> geometryDocs() {
   SectionDoc entry = entrySection().doc("geometry.<name>");
   entry.inner.push_back(rotationSection().doc("rotate"));

@@ -31,12 +31,6 @@ class GeometrySet {
   /// The region that the string `name` of the case names; fails with the nearest known name.
   const GeometryPtr<Dim>& find(const CaseNode& name) const;
 
-  /// The same without a place in the case; nullptr if there is none.
-  GeometryPtr<Dim> find(const std::string& name) const;
-
-  /// In the order of the case.
-  const std::vector<std::string>& names() const { return names_; }
-
  private:
   std::vector<std::string> names_;
   std::vector<GeometryPtr<Dim>> regions_;

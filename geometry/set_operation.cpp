@@ -15,16 +15,6 @@ namespace {
 enum class Operation { unite, intersect, subtract };
 
 template <int Dim>
-Box<Dim> commonBox(const Box<Dim>& a, const Box<Dim>& b) {
-  Box<Dim> box = a;
-  for (int k = 0; k < Dim; ++k) {
-    box.lower[k] = std::max(a.lower[k], b.lower[k]);
-    box.upper[k] = std::min(a.upper[k], b.upper[k]);
-  }
-  return box;
-}
-
-template <int Dim>
 Box<Dim> boundsOf(Operation operation, const std::vector<GeometryPtr<Dim>>& parts) {
   Box<Dim> box = parts.front()->bounds();
   if (operation == Operation::subtract) return box;

@@ -94,16 +94,6 @@ double shareBehindPlane(double distance, const Vec<Dim>& normal, const Vec<Dim>&
 }
 
 template <int Dim>
-Box<Dim> overlap(const Box<Dim>& a, const Box<Dim>& b) {
-  Box<Dim> box;
-  for (int k = 0; k < Dim; ++k) {
-    box.lower[k] = std::max(a.lower[k], b.lower[k]);
-    box.upper[k] = std::min(a.upper[k], b.upper[k]);
-  }
-  return box;
-}
-
-template <int Dim>
 const Box<Dim>* asBox(const Geometry<Dim>& geometry) {
   const auto* shape = dynamic_cast<const Analytic<BoxShape<Dim>>*>(&geometry);
   return shape == nullptr ? nullptr : &shape->shape().box;
@@ -130,7 +120,7 @@ Measure operator-(Measure a, const Measure& b) { return {a.value - b.value, a.er
 
 template <int Dim>
 Relation SetVolume<Dim>::relationOf(const Geometry<Dim>& first, const Geometry<Dim>& second) {
-  const Box<Dim> common = overlap(first.bounds(), second.bounds());
+  const Box<Dim> common = commonBox(first.bounds(), second.bounds());
   if (isNothing(common)) return Relation::disjoint;
   if (common.isFinite() && !(asBox(first) != nullptr && asBox(second) != nullptr)) {
     const auto both = [&](const Vec<Dim>& x) {
@@ -157,7 +147,7 @@ std::optional<Measure> SetVolume<Dim>::ofIntersection(Parts parts) {
       if (relation == Relation::secondInFirst)
         part = last;
       else if (relation == Relation::unknown && a != nullptr && b != nullptr)
-        part = makeGeometry(BoxShape<Dim>{overlap(*a, *b)});
+        part = makeGeometry(BoxShape<Dim>{commonBox(*a, *b)});
       else if (relation == Relation::unknown)
         continue;
       merged = true;
@@ -190,7 +180,7 @@ std::optional<Measure> SetVolume<Dim>::ofUnion(Parts parts) {
       if (relationOf(*part, *other) == Relation::secondInFirst)
         common.push_back(other);
       else if (a != nullptr && b != nullptr)
-        common.push_back(makeGeometry(BoxShape<Dim>{overlap(*a, *b)}));
+        common.push_back(makeGeometry(BoxShape<Dim>{commonBox(*a, *b)}));
       else
         return std::nullopt;
     }
@@ -214,7 +204,7 @@ std::optional<Measure> SetVolume<Dim>::ofDifference(Parts parts) {
     if (relation == Relation::secondInFirst)
       removed.push_back(parts[k]);
     else if (a != nullptr && b != nullptr)
-      removed.push_back(makeGeometry(BoxShape<Dim>{overlap(*a, *b)}));
+      removed.push_back(makeGeometry(BoxShape<Dim>{commonBox(*a, *b)}));
     else
       return std::nullopt;
   }

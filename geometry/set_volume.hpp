@@ -3,6 +3,7 @@
 
 #include "geometry/geometry.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -11,6 +12,17 @@ namespace plenum {
 
 /// How two regions lie to each other, as far as it can be proven cheaply.
 enum class Relation { disjoint, firstInSecond, secondInFirst, unknown };
+
+/// What two boxes have in common; its lower corner is not below the upper one if that is nothing.
+template <int Dim>
+Box<Dim> commonBox(const Box<Dim>& a, const Box<Dim>& b) {
+  Box<Dim> box;
+  for (int k = 0; k < Dim; ++k) {
+    box.lower[k] = std::max(a.lower[k], b.lower[k]);
+    box.upper[k] = std::min(a.upper[k], b.upper[k]);
+  }
+  return box;
+}
 
 /// Volumes of set operations.
 template <int Dim>

@@ -52,7 +52,7 @@ const std::vector<std::string>& latticeNames(int dimension) {
 }
 
 template <int Dim>
-Lattice<Dim>::Lattice(const std::string& name, double spacing) : name_(name) {
+Lattice<Dim>::Lattice(const std::string& name, double spacing) {
   const auto& known = latticeNames(Dim);
   if (std::find(known.begin(), known.end(), name) == known.end())
     throw std::invalid_argument("no lattice '" + name + "' in this dimension");

@@ -60,8 +60,6 @@ class Lattice {
   /// Applies the half-spacing rule to walls at `lower` [m].
   void startAt(const Vec<Dim>& lower);
 
-  const std::string& name() const { return name_; }
-  const Vec<Dim>& origin() const { return origin_; }
   const Vec<Dim>& edges() const { return edges_; }  ///< of the unit cell [m]
 
   /// Spacing used along an axis over the one asked for, minus 1; zero where nothing was fitted.
@@ -81,7 +79,6 @@ class Lattice {
   };
   IndexRange cells(const Box<Dim>& box, int axis, double fraction) const;
 
-  std::string name_;
   Vec<Dim> origin_{};
   Vec<Dim> edges_;
   Vec<Dim> firstPoint_;  // of the half-spacing rule, in edges
