@@ -3,6 +3,7 @@
 
 #include "geometry/files.hpp"
 #include "particles/errors.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +13,11 @@
 
 namespace plenum::test {
 
-/// A file of the test that is running, with this content.
+/// A file with this content, until the program ends.
 inline std::filesystem::path writeFile(const std::string& name, const std::string& content) {
-  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-  const std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / ("plenum_" + test);
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / name, std::ios::binary) << content;
-  return folder / name;
+  static const TemporaryFolder folder;
+  std::ofstream(folder.path() / name, std::ios::binary) << content;
+  return folder.path() / name;
 }
 
 /// `run` throws an InputError whose message has all of `words`.

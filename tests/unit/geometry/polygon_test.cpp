@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/polygon.hpp"
 #include "files_for_tests.hpp"
 #include "geometry/box_shape.hpp"
 #include "geometry/geometry_set.hpp"
-#include "geometry/polygon.hpp"
 #include "geometry/set_operation.hpp"
 #include "probe.hpp"
+#include "tests/support/named_region.hpp"
 
 #include <thread>
 
@@ -123,7 +124,7 @@ TEST(Polygon, CaseEntriesHoldPolygons) {
       "holes = [[[1, 1], [3, 1], [3, 3], [1, 3]]] } }\n",
       "case.toml");
   const auto set = GeometrySet<2>::read(*root.find("geometry"), ".");
-  EXPECT_DOUBLE_EQ(set.find("a")->volume().value, 12);
+  EXPECT_DOUBLE_EQ(regionNamed(set, "a")->volume().value, 12);
   const CaseNode bad = CaseNode::parse(
       "[geometry]\na = { polygon = { points = [[0, 0], [4, 4], [4, 0], [0, 4]] } }\n", "case.toml");
   expectError([&] { GeometrySet<2>::read(*bad.find("geometry"), "."); },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "files_for_tests.hpp"
 #include "geometry/mesh_file.hpp"
+#include "files_for_tests.hpp"
 
 #include <fmt/format.h>
 
@@ -125,6 +125,16 @@ TEST(MeshFile, RefusesTruncatedFiles) {
   expectFileError<3>("e.ply", ply("binary_little_endian").substr(0, 250), {"truncated"});
   expectFileError<3>("f.ply", cut(ply("ascii")).substr(0, 60), {"truncated"});
   expectFileError<3>("g.obj", obj().substr(0, obj().size() - 12), {"not closed"});
+  // Counts that the file cannot hold are found out before memory is asked for.
+  expectFileError<3>("i.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n99999999999999 0 1 2\n",
+                     {"i.off:6", "more corners than there are points"});
+  expectFileError<3>("j.off", "OFF\n99999999999999 1 0\n0 0 0\n", {"truncated"});
+  for (const char* length : {"-1", "1e300"})
+    expectFileError<3>("k.ply",
+                       std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty list int "
+                                   "float x\nend_header\n") +
+                           length + " 0\n",
+                       {"no sensible length"});
   expectFileError<3>("h.obj", "v 0 0 0\nf 1 2 3\n", {":2", "corner 1", "1 points"});
 }
 

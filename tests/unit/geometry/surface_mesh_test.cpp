@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/surface_mesh.hpp"
 #include "files_for_tests.hpp"
 #include "geometry/box_shape.hpp"
-#include "geometry/surface_mesh.hpp"
 #include "probe.hpp"
 
 #include <numbers>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/geometry_set.hpp"
 #include "particles/errors.hpp"
+#include "tests/support/named_region.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,12 +42,10 @@ gap     = { difference = ["housing", "shaft"] }
 shaft   = { disk = { center = [0, 0], radius = 0.04 } }
 housing = { disk = { center = [0, 0], radius = 0.10 } }
 )");
-  EXPECT_EQ(set.names(), (std::vector<std::string>{"gap", "shaft", "housing"}));
-  const GeometryPtr<2> gap = set.find("gap");
+  const GeometryPtr<2> gap = test::regionNamed(set, "gap");
   EXPECT_NEAR(gap->volume().value, std::numbers::pi * (0.01 - 0.0016), 1e-15);
   EXPECT_TRUE(gap->isInside(Vec<2>{{0.07, 0}}));
   EXPECT_FALSE(gap->isInside(Vec<2>{{0.03, 0}}));
-  EXPECT_EQ(set.find("nothing"), nullptr);
 }
 
 TEST(GeometrySet, ReadsEveryShape) {
@@ -58,16 +57,19 @@ d = { half_space = { point = [0, 0], normal = [0, 2] } }
 f = { union = ["a", "b"] }
 g = { intersection = ["b", "d"] }
 )");
-  EXPECT_EQ(flat.names().size(), 6u);
+  for (const char* name : {"a", "b", "c", "d", "f", "g"})
+    EXPECT_EQ(test::regionNamed(flat, name)->isInside(Vec<2>{{0.5, 1.2}}),
+              std::string("acf").find(name) != std::string::npos)
+        << name;
   const auto solid = read<3>(R"(
 a = { box = { lower = [0, 0, 0], upper = [1, 2, 3] } }
 b = { ball = { center = [0, 0, 0], radius = 1 } }
 c = { cylinder = { from = [0, 0, 0], to = [0, 0, 2], radius = 0.5 } }
 )");
-  EXPECT_DOUBLE_EQ(solid.find("a")->volume().value, 6);
-  EXPECT_DOUBLE_EQ(solid.find("c")->volume().value, std::numbers::pi / 2);
-  EXPECT_DOUBLE_EQ(
-      read<1>("a = { box = { lower = [0], upper = [1.5] } }").find("a")->volume().value, 1.5);
+  EXPECT_DOUBLE_EQ(test::regionNamed(solid, "a")->volume().value, 6);
+  EXPECT_DOUBLE_EQ(test::regionNamed(solid, "c")->volume().value, std::numbers::pi / 2);
+  const auto line = read<1>("a = { box = { lower = [0], upper = [1.5] } }");
+  EXPECT_DOUBLE_EQ(test::regionNamed(line, "a")->volume().value, 1.5);
 }
 
 TEST(GeometrySet, PlacesShapes) {
@@ -75,13 +77,13 @@ TEST(GeometrySet, PlacesShapes) {
 a = { box = { lower = [0, 0], upper = [2, 1] }, scale = 2, rotate = 90, translate = [10, 0] }
 b = { union = ["a"], translate = [0, 1] }
 )");
-  EXPECT_TRUE(flat.find("a")->isInside(Vec<2>{{9, 3}}));
-  EXPECT_FALSE(flat.find("a")->isInside(Vec<2>{{9, -0.5}}));
-  EXPECT_TRUE(flat.find("b")->isInside(Vec<2>{{9, 4.5}}));
+  EXPECT_TRUE(test::regionNamed(flat, "a")->isInside(Vec<2>{{9, 3}}));
+  EXPECT_FALSE(test::regionNamed(flat, "a")->isInside(Vec<2>{{9, -0.5}}));
+  EXPECT_TRUE(test::regionNamed(flat, "b")->isInside(Vec<2>{{9, 4.5}}));
   const auto solid = read<3>(R"(
 a = { box = { lower = [0, 0, 0], upper = [2, 1, 1] }, rotate = { axis = [0, 0, 1], angle = 90 } }
 )");
-  EXPECT_TRUE(solid.find("a")->isInside(Vec<3>{{-0.5, 1.5, 0.5}}));
+  EXPECT_TRUE(test::regionNamed(solid, "a")->isInside(Vec<3>{{-0.5, 1.5, 0.5}}));
 }
 
 TEST(GeometrySet, NamesTheNearestRegion) {

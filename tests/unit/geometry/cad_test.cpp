@@ -6,6 +6,7 @@
 #include "geometry/cad_file.hpp"
 #include "geometry/round_shapes.hpp"
 #include "geometry/set_operation.hpp"
+#include "geometry/text_reader.hpp"
 #include "probe.hpp"
 
 #include <iostream>
@@ -63,6 +64,15 @@ TEST(Cad, DefaultToleranceFollowsTheSize) {
   EXPECT_NEAR(geometry->tolerance(), 1e-4 * 0.2 * std::sqrt(2.), 1e-9);  // gmsh's bounds are loose
   expectAnnulus(*geometry, geometry->tolerance());
   EXPECT_EQ(readGeometryFile<2>(files / "annulus.msh")->tolerance(), 0);  // it is what it is
+}
+
+TEST(Cad, EndingsMayBeInCapitals) {
+  const auto bytes = [](const char* name) { return readWholeFile(files / name); };
+  const auto flat = readGeometryFile<2>(writeFile("FLAT.MSH", bytes("annulus.msh")));
+  EXPECT_EQ(flat->volume().value, readGeometryFile<2>(files / "annulus.msh")->volume().value);
+  const auto solid = readGeometryFile<3>(writeFile("SOLID.MSH", bytes("box_minus_cylinder.msh")));
+  EXPECT_EQ(solid->volume().value,
+            readGeometryFile<3>(files / "box_minus_cylinder.msh")->volume().value);
 }
 
 TEST(Cad, MeasuredDeviationIsWithinTheTolerance) {
