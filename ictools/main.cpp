@@ -57,10 +57,8 @@ template <class Use>
 void withGenerated(const Options& options, Use&& use) {
   CaseNode root = CaseNode::load(options.input);
   for (const std::string& assignment : options.set) {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos)
-      throw InputError("--set " + assignment + ": write --set section.key=value");
-    root.set(assignment.substr(0, equals), assignment.substr(equals + 1));
+    const auto [key, value] = CaseNode::splitAssignment(assignment);
+    root.set(key, value);
   }
   const CaseSettings settings = readCase(root);
   withDimension(settings.dimension, [&](auto dimension) {
@@ -69,9 +67,18 @@ void withGenerated(const Options& options, Use&& use) {
 }
 
 /// The file to write: as asked, or the input's name with another ending in the current folder.
+/// Throws InputError rather than replace the input.
 fs::path outputPath(const Options& options, const char* ending) {
-  if (!options.output.empty()) return options.output;
-  return fs::path(options.input).stem().concat(ending);
+  fs::path path = options.output;
+  if (path.empty()) path = fs::path(options.input).stem().concat(ending);
+  std::error_code none;
+  if (fs::equivalent(path, options.input, none))
+    throw InputError(path.string() +
+                     ": is the input and would be replaced; name another file with "
+                     "--output");
+  if (path.extension() != ending)
+    throw InputError(fmt::format("{}: must end in {}", path.string(), ending));
+  return path;
 }
 
 int runGenerate(const Options& options) {

@@ -68,6 +68,9 @@ AtomicFile::AtomicFile(fs::path path)
       temporary_(path_.string() + fmt::format(".{}.tmp", static_cast<long>(::getpid()))) {
   std::error_code ignored;
   if (path_.filename().empty() || fs::is_directory(path_, ignored)) fail(EISDIR);
+  if (fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored))
+    throw InputError(path_.string() + ": is not a regular file and will not be replaced; choose "
+                     "another name");
   descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(errno);
 }

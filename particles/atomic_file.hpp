@@ -15,7 +15,7 @@ namespace plenum {
 class AtomicFile {
  public:
   /// Creates the temporary file. Throws RunError if the folder is missing or not writable, or if
-  /// `path` is a folder.
+  /// `path` is a folder, and InputError if it is a device or a pipe.
   explicit AtomicFile(std::filesystem::path path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -80,7 +82,8 @@ CaseNode CaseNode::load(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
-  if (!in) throw InputError(path.string() + ": cannot be read");
+  if (!in)
+    throw InputError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
   if (text.str().starts_with("\x89HDF"))
     throw InputError(path.string() + ": is a particle file (HDF5); a case file (TOML) is needed");
   return parse(text.str(), path.string());
@@ -215,7 +218,30 @@ CaseNode& CaseNode::child(const std::string& name) {
     if (key == name) return node;
   CaseNode node;
   node.path_ = path_.empty() ? name : path_ + "." + name;
+  node.fileName_ = fileName_;
   return table->emplace_back(name, std::move(node)).second;
+}
+
+std::pair<std::string, std::string> CaseNode::splitAssignment(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  std::string key = assignment.substr(0, equals);
+  while (!key.empty() && key.back() == ' ') key.pop_back();
+  if (equals == std::string::npos || key.empty())
+    throw InputError("--set " + assignment +
+                     ": write key=value, for instance --set solver.kernel=convex");
+  return {key, assignment.substr(equals + 1)};
+}
+
+/// This value and all below it were set on the command line, not in a line of the file.
+void CaseNode::comeFrom(const std::shared_ptr<const std::string>& origin, const std::string& path) {
+  fileName_ = origin;
+  path_ = path;
+  line_ = 0;
+  if (auto* table = std::get_if<Table>(&value_))
+    for (auto& [key, node] : *table) node.comeFrom(origin, path + "." + key);
+  if (auto* items = std::get_if<Array>(&value_))
+    for (std::size_t k = 0; k < items->size(); ++k)
+      (*items)[k].comeFrom(origin, fmt::format("{}[{}]", path, k));
 }
 
 void CaseNode::set(const std::string& key, const std::string& text) {
@@ -241,8 +267,7 @@ void CaseNode::set(const std::string& key, const std::string& text) {
     begin = dot == std::string::npos ? dot : dot + 1;
   }
   node->value_ = parsed.find("value")->value_;
-  node->line_ = 0;
-  node->fileName_ = std::make_shared<const std::string>(origin);
+  node->comeFrom(std::make_shared<const std::string>(origin), node->path_);
 }
 
 }  // namespace plenum

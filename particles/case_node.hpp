@@ -46,6 +46,9 @@ class CaseNode {
   /// The entry of a table, or nullptr.
   const CaseNode* find(const std::string& key) const;
 
+  /// The two sides of "key=value". Throws InputError if it has another form.
+  static std::pair<std::string, std::string> splitAssignment(const std::string& assignment);
+
   /// Sets `key` ("solver.kernel", "fluid[0].seed") to the TOML value `text`; bare words are taken
   /// as strings. Throws InputError for an index beyond the list.
   void set(const std::string& key, const std::string& text);
@@ -61,6 +64,7 @@ class CaseNode {
 
  private:
   CaseNode& child(const std::string& name);
+  void comeFrom(const std::shared_ptr<const std::string>& origin, const std::string& path);
 
   Value value_ = Table{};
   std::string path_;

@@ -38,13 +38,6 @@ Section<CollisionSettings> collisionSection() {
   return section;
 }
 
-Section<MeasureSettings> measureSection() {
-  Section<MeasureSettings> section("how the measures of history.csv are taken");
-  section.flag("free_surface", &MeasureSettings::freeSurface,
-               "holes count only between particles: within 2 d_ref in every quadrant");
-  return section;
-}
-
 }  // namespace
 
 const Section<SolverSettings>& solverSection() {
@@ -89,6 +82,15 @@ const Section<OutputSettings>& outputSection() {
                   "time between rows of history.csv; absent: as the VTU files")
           .texts("fields", &S::fields, "fields in the VTU files; absent: all that are modelled")
           .text("picture", &S::picture, "field that colours the pictures");
+  return section;
+}
+
+const Section<MeasureSettings>& measureSection() {
+  using S = MeasureSettings;
+  static const Section<S> section =
+      Section<S>("how the measures of history.csv are taken")
+          .flag("free_surface", &S::freeSurface,
+                "holes count only between particles: within 2 d_ref in every quadrant");
   return section;
 }
 

@@ -86,6 +86,7 @@ struct CaseSettings {
 /// The declarations of the sections above, for reading, help and docs.
 const Section<SolverSettings>& solverSection();
 const Section<OutputSettings>& outputSection();
+const Section<MeasureSettings>& measureSection();
 const Section<CaseSettings>& caseSection();
 
 /// Throws InputError for anything that is wrong in the parts that are read here.

@@ -3,9 +3,9 @@
 
 #include "particles/errors.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>

@@ -2,6 +2,7 @@
 #include "particles/errors.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 #include <new>
 #include <numeric>
@@ -23,6 +24,8 @@ int editDistance(const std::string& a, const std::string& b) {
   }
   return row.back();
 }
+
+void ignoreFileSizeSignal() { std::signal(SIGXFSZ, SIG_IGN); }
 
 int reportError(const char* program) {
   const auto say = [program](const std::string& message, int code) {

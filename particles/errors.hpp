@@ -35,8 +35,12 @@ int editDistance(const std::string& a, const std::string& b);
 /// The one line that a program prints for an exception, and its exit code.
 int reportError(const char* program);
 
+/// Makes the file-size limit (ulimit -f) an error of the write that meets it, not a silent death.
+void ignoreFileSizeSignal();
+
 template <class Body>
 int runProgram(const char* program, Body&& body) {
+  ignoreFileSizeSignal();
   try {
     return body();
   } catch (...) {

@@ -63,7 +63,7 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      "particle position"},
     {FieldId::velocity, "velocity", "Velocities", "m/s", Rank::vector, Scope::all, true,
      "particle velocity"},
-    {FieldId::mass, "mass", "Masses", "kg/m^(3-d)", Rank::scalar, Scope::all, true,
+    {FieldId::mass, "mass", "Masses", "kg", Rank::scalar, Scope::all, true,
      "particle mass"},
     {FieldId::density, "density", "Density", "kg/m^d", Rank::scalar, Scope::all, true,
      "mass density"},

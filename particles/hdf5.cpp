@@ -110,7 +110,9 @@ std::vector<hsize_t> Group::shapeFor(std::size_t n, int columns) {
 }
 
 Group Group::create(const std::string& name) const {
-  Handle group(H5Gcreate2(handle_.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+  const Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+  H5Pset_obj_track_times(properties.get(), false);  // equal contents, equal files
+  Handle group(H5Gcreate2(handle_.get(), name.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
                H5Gclose);
   if (!group.valid()) fail(name, "cannot be written");
   return Group(std::move(group), pathOf(name), *origin_);

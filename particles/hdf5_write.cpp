@@ -36,6 +36,7 @@ void Group::writeRaw(const std::string& name, hid_t type, const void* data,
                      const std::vector<hsize_t>& shape, bool compressed) const {
   const Handle dataSpace = space(shape);
   const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(properties.get(), false);  // equal contents, equal files
   if (compressed && shape[0] > 0) {
     const hsize_t chunk = std::min(shape[0], chunkLength);
     H5Pset_chunk(properties.get(), 1, &chunk);

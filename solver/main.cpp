@@ -41,6 +41,18 @@ int threadsFor(int asked, std::size_t nParticles) {
                                                 1 + nParticles / particlesPerThread));
 }
 
+/// Calls body(); an InputError that does not name the particle file gets its name in front.
+template <class Body>
+int naming(const std::filesystem::path& file, Body&& body) {
+  try {
+    return body();
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    const bool named = message.find(file.string()) != std::string::npos;
+    throw InputError(named ? message : file.string() + ": " + message);
+  }
+}
+
 int run(const CommandLine& line) {
   return withParticleFile(line.file, [&](auto scene) {
     omp_set_num_threads(threadsFor(line.threads, scene.particles.size()));
@@ -99,7 +111,7 @@ void declare(CLI::App& app, CommandLine& line) {
       ->check(CLI::Range(1, 1024));
   runCommand->add_flag("-q,--quiet", line.quiet, "print errors only");
   addCommon(app.add_subcommand("info", "print what a file holds and what a run would model"));
-  app.add_subcommand("help-case", "print the keys of [solver] and [output]");
+  app.add_subcommand("help-case", "print the keys of [solver], [output] and [measures]");
 }
 
 int main(int argc, char** argv) {
@@ -109,10 +121,11 @@ int main(int argc, char** argv) {
   if (const auto code = parseCommandLine(app, argc, argv)) return *code;
   if (app.got_subcommand("help-case")) {
     std::cout << solverSection().doc("[solver]").printed()
-              << outputSection().doc("[output]").printed();
+              << outputSection().doc("[output]").printed()
+              << measureSection().doc("[measures]").printed();
     return exitOk;
   }
-  return app.got_subcommand("run") ? run(line) : info(line);
+  return naming(line.file, [&] { return app.got_subcommand("run") ? run(line) : info(line); });
 }
 
 }  // namespace

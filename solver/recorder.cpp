@@ -67,7 +67,7 @@ Recorder<Dim>::Recorder(const RunOptions& options, const CaseSettings& settings,
 template <int Dim>
 void Recorder<Dim>::removeOldFiles() const {
   const std::string prefix = options_.name + "_", series = options_.name + ".pvd";
-  const std::regex state(R"(\d{4,}\.vtu|end\.hdf|failed\.(hdf|vtu))");
+  const std::regex state(R"((\d{4,}\.vtu|end\.hdf|failed\.(hdf|vtu))(\.\d+\.tmp)?)");
   std::vector<fs::path> old;
   for (const auto& entry : fs::directory_iterator(options_.folder)) {
     const std::string file = entry.path().filename().string();

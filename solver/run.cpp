@@ -3,6 +3,7 @@
 
 #include "particles/errors.hpp"
 #include "particles/progress.hpp"
+#include "particles/version.hpp"
 #include "solver/recorder.hpp"
 #include "solver/schedule.hpp"
 
@@ -16,23 +17,42 @@ namespace plenum {
 namespace {
 
 void change(CaseNode& root, const std::string& assignment) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos)
-    throw InputError(
-        fmt::format("--set {}: write key=value, for instance "
-                    "--set solver.kernel=convex",
-                    assignment));
-  const std::string key = assignment.substr(0, equals);
+  const auto [key, value] = CaseNode::splitAssignment(assignment);
   const auto belongsTo = [&](const char* section) {
     return key.starts_with(std::string(section) + ".");
   };
   if (!belongsTo("solver") && !belongsTo("output") && !belongsTo("measures"))
     throw InputError(
         fmt::format("--set {}: only keys of solver, output and measures can change once the "
-                    "particles are made; "
-                    "change the case and run plenum-ic generate again",
+                    "particles are made; change the case and run plenum-ic generate again",
                     assignment));
-  root.set(key, assignment.substr(equals + 1));
+  root.set(key, value);
+}
+
+/// Refuses times that cannot be meant; warns of a fixed step that is likely too long.
+void checkTimes(const CaseSettings& settings, double start, double h) {
+  const SolverSettings solver = settings.solverOrDefaults();
+  const OutputSettings output = settings.outputOrDefaults();
+  const double duration = solver.endTime - start;
+  if (duration < 0)
+    throw InputError(fmt::format("solver.end_time = {:g} s lies before the state's time {:g} s",
+                                 solver.endTime, start));
+  const auto requireFew = [&](const char* key, double interval, double most, const char* what) {
+    if (duration / interval > most)
+      throw InputError(
+          fmt::format("{} = {:g} s would make {:g} {} until {:g} s; at most {:g} are "
+                      "allowed",
+                      key, interval, duration / interval, what, solver.endTime, most));
+  };
+  requireFew("output.every", output.every, 1e5, "files");
+  requireFew("output.history_every", output.historyEvery.value_or(output.every), 1e7, "rows");
+  const double acoustic = h / solver.soundSpeed;
+  requireFew("solver.time_step", solver.timeStep.value_or(solver.cfl * acoustic), 1e12, "steps");
+  if (solver.timeStep && *solver.timeStep > acoustic)
+    std::cerr << fmt::format(
+        "plenum-sph: warning: solver.time_step = {:g} s is longer than h/c = "
+        "{:g} s; a stable step is about {:g} s\n",
+        *solver.timeStep, acoustic, 0.2 * acoustic);
 }
 
 }  // namespace
@@ -50,10 +70,8 @@ std::vector<Figure> runScene(Scene<Dim> scene, const CaseSettings& settings,
   const SolverSettings solver = settings.solverOrDefaults();
   const OutputSettings output = settings.outputOrDefaults();
   const double start = scene.info.time;
+  checkTimes(settings, start, solver.smoothingLength * scene.info.spacing);
   Simulation<Dim> simulation(std::move(scene), solver);
-  if (solver.endTime < start)
-    throw InputError(fmt::format("solver.end_time = {:g} s lies before the state's time {:g} s",
-                                 solver.endTime, start));
   Recorder<Dim> recorder(options, settings, simulation);
   if (!options.quiet) std::cout << describeModel(simulation) << std::flush;
 
@@ -83,6 +101,9 @@ std::vector<Figure> runScene(Scene<Dim> scene, const CaseSettings& settings,
     throw RunError(std::string(error.what()) + "; " + recorder.saveFailed(simulation));
   }
   progress.finish(fmt::format("{} steps", simulation.nSteps()));
+  std::vector<std::pair<std::string, double>> figures;
+  for (const Figure& f : recorder.lastRow()) figures.emplace_back(f.name, f.value);
+  simulation.describeState(fmt::format("plenum-sph {}", version), std::move(figures));
   recorder.finish(simulation);
   return recorder.lastRow();
 }

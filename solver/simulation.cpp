@@ -63,10 +63,8 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings)
   const FieldSet needed = neededFields();
   scene_.particles.add(needed);
   scene_.particles.remove(scene_.particles.fields().without(needed));
-  if (settings_.density == "summation") {  // so that the first state shown is one of the run
-    engine_.update(scene_.particles);
-    updateDensity(0);
-  }
+  engine_.update(scene_.particles);
+  if (settings_.density == "summation") updateDensity(0);  // the first state shown is the run's own
   updatePressure();
 }
 

@@ -47,6 +47,13 @@ class Simulation {
 
   double bytesPerParticle() const;
 
+  /// Notes who made the present state and its figures, for the files written from now on.
+  void describeState(const std::string& generator,
+                     std::vector<std::pair<std::string, double>> quality) {
+    scene_.info.generator = generator;
+    scene_.info.quality = std::move(quality);
+  }
+
  private:
   FieldSet neededFields() const;
   void updateDensity(double dt);
