@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/assemble.hpp"
 
-#include "ictools/parallel.hpp"
 #include "ictools/point_grid.hpp"
 #include "ictools/state.hpp"
+#include "particles/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/container.hpp"
 
-#include "ictools/parallel.hpp"
+#include "particles/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 // pass keeps points some spacing apart; Lloyd's iteration (each point moves to the mean of the fine
 // points nearest to it, then back onto the layer) evens them out.
 #include "ictools/layer_points.hpp"
-#include "ictools/parallel.hpp"
 #include "ictools/point_grid.hpp"
+#include "particles/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
