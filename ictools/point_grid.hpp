@@ -80,7 +80,8 @@ class PointGrid {
     for (int a = 0; a < Dim; ++a) {
       const auto axis = static_cast<std::size_t>(a);
       const double s = (x[a] - box_.lower[a]) / (box_.upper[a] - box_.lower[a]) * shape_[a];
-      cell[axis] = std::clamp(static_cast<int>(std::floor(s)), 0, shape_[a] - 1);
+      // In this order, so that NaN becomes 0 and points far away come into the range of int.
+      cell[axis] = static_cast<int>(std::fmin(std::fmax(std::floor(s), 0), shape_[a] - 1));
     }
     return cell;
   }

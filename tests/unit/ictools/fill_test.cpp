@@ -70,8 +70,9 @@ TEST(Fill, QueriesGrowWithTheSurfaceOnly) {
   EXPECT_LT(geometry.n, points.size() / 20);  // 2000 rows, some steps to each of two ends
 }
 
-/// The sheet, section 5: strictly inside .04 < r < .1.
-TEST(Fill, ShaftOfTheSheet) {
+/// [C] (Kruisbrink et al. 2018, doi 10.4236/jamp.2018.69158), section 5: strictly inside
+/// .04 < r < .1.
+TEST(Fill, RotatingShaft) {
   const Lattice<2> lattice("hexagonal", 0.005);
   const double roundOff = surfaceRoundOff * 0.005;
   EXPECT_EQ(latticePoints(lattice, around(0.1), *annulus, {.upper = -roundOff}).size(), 1212u);
@@ -103,6 +104,15 @@ TEST(Random, IsTheSameEverywhere) {
   Random random(std::mt19937_64::default_seed);
   for (int k = 0; k < 9999; ++k) random.number();
   EXPECT_EQ(random.number(), static_cast<double>(9981545732273789042u >> 11) / 9007199254740992.0);
+}
+
+TEST(PointGrid, PointsThatAreNowhereHaveNobodyNear) {
+  const Box<2> box = around(1);
+  PointGrid<2> grid(box, 0.1, 1);
+  grid.insert({{0.99, 0.99}});
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), 1e300, -1e300,
+                         std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(grid.nearest({{x, 0.99}}), std::numeric_limits<double>::infinity());
 }
 
 TEST(PointGrid, FindsTheNearestInEveryKindOfBox) {

@@ -47,7 +47,19 @@ std::vector<double> nearestDistances(const Points& points, const Box<Dim>& box) 
   return result;
 }
 
-/// The annulus of the sheet: radius .04 to .1 m, d_ref = 1/200 m; `wall` is appended to both walls.
+/// One fluid in a periodic box of 1 m; `fluid` is appended to it.
+inline std::string periodicBox(const std::string& spacing, const std::string& fluid) {
+  return "dimension = 2\nspacing = " + spacing + R"(
+[domain]
+lower = [0, 0]
+upper = [1, 1]
+periodic = ["x", "y"]
+[[fluid]]
+)" + fluid;
+}
+
+/// The annulus of [C] (Kruisbrink et al. 2018, doi 10.4236/jamp.2018.69158), section 5: radius .04
+/// to .1 m, d_ref = 1/200 m; `wall` is appended to both walls.
 inline std::string shaftCase(const std::string& wall = "") {
   return R"(
 dimension = 2
