@@ -5,6 +5,7 @@
 #include "ictools/assemble.hpp"
 #include "ictools/container.hpp"
 #include "ictools/thin_parts.hpp"
+#include "ictools/wall_thickness.hpp"
 #include "particles/errors.hpp"
 #include "particles/version.hpp"
 
@@ -138,6 +139,7 @@ Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
   Box<Dim> containerBox = Box<Dim>::nothing();
   for (const auto& region : container) containerBox.extend(region->bounds());
   fillWalls(walls, fluids, containerBox, frame);
+  measureThickness(walls, frame, warn);
 
   Scene<Dim> scene{sceneInfo(root, settings, casePath, frame, fluids, walls),
                    assemble(fluids, walls, frame)};

@@ -6,14 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-#include <numbers>
-
 namespace plenum {
 
 namespace {
 
-const double oppositeCosine = -std::cos(25 * std::numbers::pi / 180);
 constexpr double emptyDistance = 2;  // d_ref
 constexpr int stepsThrough = 8;
 

@@ -3,7 +3,14 @@
 
 #include "ictools/fluids.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace plenum {
+
+/// Faces whose outer normals have a smaller product than this are opposite: within 25 degrees of
+/// parallel.
+inline const double oppositeCosine = -std::cos(25 * std::numbers::pi / 180);
 
 /// Looks for places where a fluid's region is thinner than d_ref between two opposite faces (within
 /// 25 degrees of parallel; the tip of a wedge is not thin). Throws InputError if such a part stays

@@ -16,7 +16,7 @@ struct WallFill {
   WallSolid<Dim> solid;
   Lattice<Dim> lattice;  ///< continued behind the surface by method "lattice"
   int layers = 0;
-  double thickness = 0;  ///< [m]
+  double thickness = 0;  ///< from the surface to the last layer, or through the solid [m]
   double density = 0;    ///< reference [kg/m^d]
   std::vector<WallPoint<Dim>> points;
 };
