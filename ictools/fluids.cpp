@@ -79,12 +79,19 @@ void checkCount(const FluidFill<Dim>& fluid) {
           expected, fluid.lattice.edges()[0] * std::pow(expected / maxParticles, 1.0 / Dim)));
 }
 
+/// The random numbers of fluid `k`: its seed's own for the first fluid, others for each further
+/// one, so that fluids of one seed have nothing in common.
+template <int Dim>
+Random randomOf(const FluidFill<Dim>& fluid, std::size_t k) {
+  constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio: far apart
+  return Random(static_cast<std::uint64_t>(fluid.settings.seed) + golden * k);
+}
+
 /// Uniform points strictly inside the region, seeded.
 template <int Dim>
-std::vector<Vec<Dim>> randomPoints(const FluidFill<Dim>& fluid, double roundOff) {
+std::vector<Vec<Dim>> randomPoints(const FluidFill<Dim>& fluid, double roundOff, Random random) {
   const double wanted = std::round(fluid.volume.value / fluid.lattice.cellVolume());
   const auto n = static_cast<std::size_t>(wanted);
-  Random random(static_cast<std::uint64_t>(fluid.settings.seed));
   std::vector<Vec<Dim>> points;
   std::vector<Vec<Dim>> trial;
   constexpr int maxRounds = 10000;  // a region that is one part in ten thousand of its bounds
@@ -168,17 +175,22 @@ void leaveToEarlier(std::vector<FluidFill<Dim>>& fluids, std::size_t k,
                         fluid.settings.name));
 }
 
-/// Adds noise; a point that it would carry through the surface stays.
+/// Adds noise; a point that it would carry through the surface or into an earlier fluid stays.
 template <int Dim>
-void jitter(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame) {
+void jitter(std::vector<FluidFill<Dim>>& fluids, std::size_t index, const SceneFrame<Dim>& frame) {
+  FluidFill<Dim>& fluid = fluids[index];
   if (fluid.settings.jitter == 0) return;
   const double amplitude = fluid.settings.jitter * frame.spacing;
-  Random random(static_cast<std::uint64_t>(fluid.settings.seed));
+  Random random = randomOf(fluid, index);
   const Box<Dim> cube{Vec<Dim>::filled(-amplitude), Vec<Dim>::filled(amplitude), {}};
   std::vector<Vec<Dim>> moved = fluid.points;
   for (Vec<Dim>& x : moved) x = frame.domain.wrap(x + random.pointIn(cube));
   std::vector<double> distance(moved.size(), -1);
   if (fluid.region) distance = signedDistances<Dim>(*fluid.region, moved);
+  for (std::size_t earlier = 0; earlier < index; ++earlier) {
+    const auto beside = signedDistances<Dim>(*fluids[earlier].region, moved);
+    for (std::size_t k = 0; k < moved.size(); ++k) distance[k] = std::max(distance[k], -beside[k]);
+  }
   for (std::size_t k = 0; k < moved.size(); ++k)
     if (distance[k] < 0) fluid.points[k] = moved[k];
 }
@@ -228,7 +240,7 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
   for (std::size_t k = 0; k < fluids.size(); ++k) {
     FluidFill<Dim>& fluid = fluids[k];
     if (fluid.settings.lattice == "random") {
-      fluid.points = randomPoints(fluid, roundOff);
+      fluid.points = randomPoints(fluid, roundOff, randomOf(fluid, k));
     } else if (!fluid.region) {
       fluid.points = latticePoints(fluid.lattice, fluid.box);
     } else {
@@ -237,7 +249,7 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
     }
     leaveToEarlier(fluids, k, frame);
     checkNotEmpty(fluid, frame);
-    jitter(fluid, frame);
+    jitter(fluids, k, frame);
     fluid.particleVolume = fluid.settings.mass == "exact"
                                ? fluid.volume.value / static_cast<double>(fluid.points.size())
                                : fluid.lattice.cellVolume();

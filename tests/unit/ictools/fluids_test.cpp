@@ -15,20 +15,10 @@ double sum(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-const std::string gasBox = R"(
-dimension = 2
-spacing = 0.05
-[domain]
-lower = [0, 0]
-upper = [1, 1]
-periodic = ["x", "y"]
-[[fluid]]
-lattice = "random"
-mass = "exact"
-seed = 3
-)";
+const std::string gasBox =
+    test::periodicBox("0.05", "lattice = \"random\"\nmass = \"exact\"\nseed = 3\n");
 
-TEST(Fluids, GasBoxOfTheSheet) {
+TEST(Fluids, GasBox) {
   const Scene<2> scene = test::sceneOf<2>(gasBox);
   EXPECT_EQ(scene.particles.nFluid(), 462u);  // 1/(sqrt(3)/2 d_ref^2) = 461.88
   EXPECT_EQ(scene.particles.nWalls(), 0u);
@@ -60,7 +50,7 @@ density = 998.2
 mass = "exact"
 )");
   const double whole = 998.2 * std::numbers::pi * (0.25 - 0.04);
-  EXPECT_NEAR(sum(scene.particles[field::mass]) / whole, 1, 1e-12);  // issue: 1e-12
+  EXPECT_NEAR(sum(scene.particles[field::mass]) / whole, 1, 1e-12);  // round-off of the additions
 }
 
 TEST(Fluids, CellMassIsDensityTimesCell) {
@@ -107,7 +97,7 @@ sound_speed = 30
       std::sqrt(3.0) / 2 * 0.02 * 0.02;  // 0.2 m is ten spacings: nothing is stretched
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double p = 1000 * 9.81 * (1 - particles[field::position][i][1]);
-    const double rho = 1000 + p / 900;                           // sheet, section 4.3
+    const double rho = 1000 + p / 900;                           // p = c^2 (rho - rho_0)
     EXPECT_NEAR(particles[field::pressure][i], p, 1e-11 * 1e4);  // round-off of 1e4 Pa
     EXPECT_NEAR(particles[field::density][i], rho, 1e-12 * 1e3);
     EXPECT_NEAR(particles[field::mass][i], rho * cell, 1e-12);
@@ -176,16 +166,7 @@ TEST(Fluids, TheFirstOfTwoOverlappingFluidsStands) {
 }
 
 TEST(Fluids, JitterStaysWithinItsAmplitude) {
-  const std::string text = R"(
-dimension = 2
-spacing = 0.1
-[domain]
-lower = [0, 0]
-upper = [1, 1]
-periodic = ["x", "y"]
-[[fluid]]
-lattice = "square"
-)";
+  const std::string text = test::periodicBox("0.1", "lattice = \"square\"\n");
   const Scene<2> still = test::sceneOf<2>(text);
   const Scene<2> moved = test::sceneOf<2>(text + "jitter = 0.02\n");
   double largest = 0, mean = 0;
@@ -199,6 +180,49 @@ lattice = "square"
   EXPECT_LE(largest, 0.002 * (1 + 1e-12));
   EXPECT_GT(largest, 0.0018);  // of 200 uniform numbers some come within a tenth of the end
   EXPECT_LT(std::abs(mean), 4 * 8.2e-5);  // four standard deviations of the mean: .002/sqrt(3*200)
+}
+
+TEST(Fluids, JitterKeepsOutOfEarlierFluids) {
+  // The second fluid's region covers the first one's, so its own surface is not between them.
+  std::string text = twoFluids;
+  text.replace(text.find("region = \"upper\""), 16, "region = \"all\"  ");
+  const Scene<2> scene = test::sceneOf<2>(text + "jitter = 0.5\n");
+  const auto material = scene.particles[field::material];
+  std::size_t nNear = 0;
+  for (std::size_t i = 0; i < material.size(); ++i) {
+    if (material[i] == 0) continue;
+    const double y = scene.particles[field::position][i][1];
+    EXPECT_GT(y, 0.5);
+    if (y < 0.58) ++nNear;
+  }
+  EXPECT_GT(nNear, 0u);  // some of the row at 0.6 were moved towards it
+}
+
+TEST(Fluids, TheNoiseOfTwoFluidsHasNothingInCommon) {
+  const std::string seeded = "mass = \"exact\"\nseed = 3\n";
+  const std::string second = "[[fluid]]\nname = \"b\"\nlattice = \"random\"\nregion = \"right\"\n";
+  const std::string text = R"(
+dimension = 2
+spacing = 0.05
+[geometry]
+left = { box = { lower = [0, 0], upper = [1, 1] } }
+right = { box = { lower = [2, 0], upper = [3, 1] } }
+[[fluid]]
+name = "a"
+lattice = "random"
+region = "left"
+)";
+  const Scene<2> both = test::sceneOf<2>(text + seeded + second + seeded);
+  const auto x = both.particles[field::position];
+  const std::size_t n = both.particles.nFluid() / 2;
+  ASSERT_EQ(both.particles.nFluid(), 2 * n);
+  double product = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    product += (x[i][0] - 0.5) * (x[n + i][0] - 2.5) * 12 / static_cast<double>(n);
+  EXPECT_LT(std::abs(product), 4 / std::sqrt(static_cast<double>(n)));  // four standard deviations
+  // The first fluid has the numbers of its seed, as the fluid of the gas box.
+  const auto alone = test::sceneOf<2>(gasBox).particles;
+  for (std::size_t i = 0; i < n; ++i) EXPECT_EQ(x[i], alone[field::position][i]);
 }
 
 }  // namespace
