@@ -2,6 +2,7 @@
 #include "ictools/lattice.hpp"
 
 #include "ictools/fill.hpp"
+#include "tests/support/dimensions.hpp"
 #include "tests/unit/ictools/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -30,9 +31,7 @@ std::vector<Expected> expectedLattices() {
 
 template <class T>
 class LatticeTest : public testing::Test {};
-using Dimensions = testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
-                                  std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(LatticeTest, Dimensions);
+TYPED_TEST_SUITE(LatticeTest, test::Dimensions);
 
 TYPED_TEST(LatticeTest, NeighboursStandAtTheSpacing) {
   constexpr int Dim = TypeParam::value;
