@@ -45,8 +45,13 @@ vtu=$(first vtu)
 pvd=$(first pvd)
 mkdir -p "$out"
 # Without an X server ParaView reads but cannot render.
-LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1024x768x24" \
-  pvbatch "$here/render.py" "$out" "$hdf" "$vtu" "$pvd"
+render() {
+  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1024x768x24" \
+    pvbatch "$here/render.py" "$out" "$hdf" "$vtu" "$pvd"
+}
+# Seen once in eight runs: pvbatch aborts right at its start (signal 6, before any file is opened)
+# when the new X server is not ready for it. Only that is tried again.
+render || { code=$?; [ $code = 134 ] && { echo "pvbatch aborted at its start; once more"; render; }; }
 for kind in hdf vtu pvd; do
   ls "$out"/*_"$kind".png >/dev/null 2>&1 ||
     { echo "run_paraview.sh: the picture of the .$kind file is missing" >&2; exit 1; }
