@@ -24,12 +24,8 @@ std::string describeFluids(const Scene<Dim>& scene) {
       mass += particles[field::mass][i];
     }
     const Material& material = scene.info.materials[m];
-    text += fmt::format("  fluid {:<12} {:>9} particles, mass {:.6g} {}, density {:g}\n",
-                        material.name, n, mass,
-                        Dim == 3   ? "kg"
-                        : Dim == 2 ? "kg/m"
-                                   : "kg/m^2",
-                        material.density);
+    text += fmt::format("  fluid {:<12} {:>9} particles, mass {:.6g} kg, density {:g} kg/m^{}\n",
+                        material.name, n, mass, material.density, Dim);
   }
   return text;
 }

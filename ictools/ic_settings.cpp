@@ -132,7 +132,7 @@ const Section<WallSettings>& wallSection() {
           .text("name", &S::name, "for messages and results; absent: the region's name")
           .text("region", &S::region, "the solid; or else:")
           .text("outside", &S::outside, "the solid is everything outside of this region")
-          .integer("layers", &S::layers, Range::between(1, 1e6),
+          .integer("layers", &S::layers, Range::between(1, 1000),
                    "thickness in d_ref; absent: as the kernel's support needs")
           .text("method", &S::method,
                 "lattice: the fluid's lattice continued; conformal: layers at (k - 1/2) d_ref",
@@ -171,6 +171,11 @@ std::vector<WallSettings> readWalls(const CaseSettings& settings) {
     WallSettings wall = wallSection().read(node, settings.dimension);
     wall.node = node;
     checkWall(wall, settings.dimension);
+    if ((wall.pressure || wall.hydrostatic) && !settings.solverOrDefaults().wallsEvolve())
+      node.find(wall.pressure ? "pressure" : "hydrostatic")
+          ->fail(
+              "has no effect while solver.wall_pressure = \"zero\"; leave it out, or set "
+              "wall_pressure = \"equation_of_state\"");
     walls.push_back(std::move(wall));
   }
   nameAll(walls, "wall");

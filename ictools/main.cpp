@@ -82,6 +82,7 @@ fs::path outputPath(const Options& options, const char* ending) {
 }
 
 int runGenerate(const Options& options) {
+  CaseNode::load(options.input);  // says so at once if it is no case
   const fs::path path = outputPath(options, ".hdf");
   withGenerated(options, [&](const auto& scene) {
     writeParticleFile(path, scene);

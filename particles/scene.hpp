@@ -37,7 +37,8 @@ struct Wall {
   std::string name;
   std::string method;    ///< "lattice" or "conformal"
   int layers = 0;        ///< thickness / spacing, as asked for
-  double thickness = 0;  ///< depth to which particles stand behind the surface [m]
+  double thickness = 0;  ///< depth to which particles stand behind the surface, or the
+                         ///< way through the solid where that is less [m]
   double density = 1;    ///< [kg/m^d]
   RigidMotion motion;
 };

@@ -58,9 +58,8 @@ void checkCoverage(const SceneInfo<Dim>& info, const SolverSettings& settings) {
   }
   if (!thin.empty())
     throw InputError(fmt::format(
-        "{}: the kernel's support is 2 x {:g} d_ref = {:g} m{}. Give these walls more layers in "
-        "the "
-        "case, or run with a smaller solver.smoothing_length{}",
+        "{}: the kernel's support is 2 x {:g} d_ref = {:g} m{}. Give these walls more layers "
+        "in the case (or a thicker solid), or run with a smaller solver.smoothing_length{}",
         thin, settings.smoothingLength, support,
         wallsSum ? ", and walls whose density is summed need it twice" : "",
         wallsSum ? ", with density = \"continuity\" or with wall_pressure = \"zero\"" : ""));

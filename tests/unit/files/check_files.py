@@ -23,7 +23,7 @@ FIELDS = {
     "id": "ParticleIDs", "material": "MaterialIDs", "wall": "WallIDs", "normal": "Normals",
     "wall_distance": "WallDistances", "type": "ParticleTypes",
 }
-UNITS = {"Coordinates": "m", "Velocities": "m/s", "Masses": "kg/m^(3-d)", "Density": "kg/m^d",
+UNITS = {"Coordinates": "m", "Velocities": "m/s", "Masses": "kg", "Density": "kg/m^d",
          "SmoothingLength": "m", "InternalEnergy": "J/kg", "ParticleIDs": ""}
 
 

@@ -89,6 +89,7 @@ hydrostatic = { surface = 1 }
 [solver]
 gravity = [0, -9.81]
 sound_speed = 30
+wall_pressure = "equation_of_state"
 )";
   const Scene<2> scene = test::sceneOf<2>(text);
   const auto& particles = scene.particles;

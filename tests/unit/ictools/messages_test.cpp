@@ -37,7 +37,7 @@ TEST(Messages, UnknownKeysAndNames) {
 }
 
 TEST(Messages, ValuesOutOfRange) {
-  expectMessage(shaftWith("layers = 4", "layers = 0"), {"wall[1].layers = 0", "in [1, 1000000]"});
+  expectMessage(shaftWith("layers = 4", "layers = 0"), {"wall[1].layers = 0", "in [1, 1000]"});
   expectMessage(shaftWith("lattice_origin = [0, 0]", "density = -1"), {"density = -1", "> 0"});
   expectMessage(shaftWith("lattice_origin = [0, 0]", "lattice_origin = [0, 0, 0]"),
                 {"3 components", "2 dimensions"});

@@ -49,14 +49,14 @@ TEST(Preflight, NamesTheParticleWithABadValue) {
 
 TEST(Preflight, NamesTheMissingLayersOfAThinWall) {
   Scene<2> scene = gas();
-  scene.info.walls = {{"floor", "lattice", 2, 0.2, 1.0, {}}, {"lid", "lattice", 4, 0.4, 1.0, {}}};
+  scene.info.walls = {{"floor", "lattice", 2, 0.2, 1.0, {}}, {"roof", "lattice", 4, 0.4, 1.0, {}}};
   SolverSettings settings;
   settings.smoothingLength = 1.5;  // support 3 d_ref = 0.3 m
   const std::string message = refusal(scene, settings);
   EXPECT_NE(message.find("wall \"floor\" is 0.2 m thick, 1 layer of 0.1 m short"),
             std::string::npos)
       << message;
-  EXPECT_EQ(message.find("lid"), std::string::npos);
+  EXPECT_EQ(message.find("roof"), std::string::npos);
   settings.smoothingLength = 1;
   EXPECT_EQ(refusal(scene, settings), "");
 }
