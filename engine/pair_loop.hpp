@@ -91,15 +91,27 @@ inline void sumOver(const Pass<Profile, Terms...>& pass, const Arrays<Dim>& arra
   ij.i = load<ThisPass>(arrays, i);
   ij.h = h;
   Sums<double, Dim> sums;
-  for (const std::uint32_t j : neighbours) {
+  const auto add = [&](std::uint32_t j) {
     ij.r = periodicity.nearestImage(x - positions[j]);
     ij.distanceSquared = normSquared(ij.r);
-    if (ij.distanceSquared >= supportSquared) continue;  // in the list for its skin only
     const double R = squareRoot(ij.distanceSquared) * inverseH;
     ij.W = sigmaW * pass.profile.f(R);
     ij.F = sigmaF * pass.profile.g(R);
     ij.j = load<ThisPass>(arrays, j);
     std::apply([&](const auto&... terms) { (terms(ij, sums), ...); }, pass.terms);
+  };
+  // The list holds its skin, too. First those in the support are picked without a branch, then
+  // summed.
+  constexpr std::size_t batch = 128;
+  std::array<std::uint32_t, batch> near;
+  for (std::size_t first = 0; first < neighbours.size(); first += batch) {
+    std::size_t nNear = 0;
+    for (const std::uint32_t j :
+         neighbours.subspan(first, std::min(batch, neighbours.size() - first))) {
+      near[nNear] = j;
+      nNear += normSquared(periodicity.nearestImage(x - positions[j])) < supportSquared;
+    }
+    for (std::size_t k = 0; k < nNear; ++k) add(near[k]);
   }
   const auto addSelf = [&](const auto& term) {
     if constexpr (requires { term.self(ij.i, sigmaW, sums); })

@@ -29,14 +29,15 @@ Real squareRoot(Real a) {
   return std::sqrt(a);
 }
 
-template <class Real>
+/// max(a, 0) and min(a, 0), exactly, but without a branch that is taken at random.
+template <std::floating_point Real>
 constexpr Real positivePart(Real a) {
-  return max(a, Real(0));
+  return Real(0.5) * (a + std::abs(a));
 }
 
-template <class Real>
+template <std::floating_point Real>
 constexpr Real negativePart(Real a) {
-  return min(a, Real(0));
+  return Real(0.5) * (a - std::abs(a));
 }
 
 /// a^N by repeated squaring.
