@@ -27,4 +27,27 @@ endif()
 
 # For sources with pair loops: as fast as -ffast-math, but NaN is still found.
 set(PLENUM_PAIR_LOOP_FLAGS
-  -fno-math-errno -fno-trapping-math -fno-signed-zeros -fassociative-math)
+  -fno-math-errno -fno-trapping-math -fno-signed-zeros -fassociative-math -ffp-contract=fast)
+
+# Instruction sets that loops are compiled for; the best is chosen when a program starts.
+set(PLENUM_INSTRUCTION_SETS Baseline)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  list(APPEND PLENUM_INSTRUCTION_SETS Avx2 Avx512)
+  add_compile_definitions(PLENUM_HAS_X86_LOOPS)
+endif()
+set(PLENUM_FLAGS_Avx2 -march=x86-64-v3)
+set(PLENUM_FLAGS_Avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+
+# Compiles `source` into `target` once for each instruction set and each of the given definitions.
+function(plenum_add_loops target source)
+  foreach(set IN LISTS PLENUM_INSTRUCTION_SETS)
+    foreach(definition IN LISTS ARGN)
+      string(MAKE_C_IDENTIFIER "${target}_${source}_${set}_${definition}" name)
+      add_library(${name} OBJECT ${source})
+      target_link_libraries(${name} PRIVATE plenum_particles)
+      target_compile_definitions(${name} PRIVATE PLENUM_ISA=${set} ${definition})
+      target_compile_options(${name} PRIVATE -O3 ${PLENUM_PAIR_LOOP_FLAGS} ${PLENUM_FLAGS_${set}})
+      target_sources(${target} PRIVATE $<TARGET_OBJECTS:${name}>)
+    endforeach()
+  endforeach()
+endfunction()

@@ -1,52 +1,137 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/cell_grid.hpp"
-#include "engine/neighbour_list.hpp"
+#include "engine/aligned.hpp"
+#include "engine/layout.hpp"
+#include "engine/pair_pass.hpp"
+#include "engine/periodicity.hpp"
+#include "engine/spatial_order.hpp"
+#include "engine/tile_list.hpp"
 #include "particles/particle_set.hpp"
+
+#include <limits>
 
 namespace plenum {
 
-/// Groups of particles: who receives a sum, and from whom.
-enum class Group { fluids, walls, all };
+/// Numbers in which pairs are computed; the state of particles is always in double.
+enum class Precision {
+  mixed,   ///< float, positions relative to clusters of eight
+  doubled  ///< double
+};
 
-/// Keeps particles sorted by cell and knows who is near whom. The solver, relaxation and report
-/// card see neighbours only through `runPass` (pair_loop.hpp) over an engine.
+/// The sums of the last pass: `sums[i]` for particle i, as double or Vec<Dim>.
+template <Rank R, int Dim>
+class SumView {
+ public:
+  SumView(const Clusters<Dim>& clusters, const float* inFloat, const double* inDouble, int nOut,
+          int first)
+      : clusters_(&clusters), float_(inFloat), double_(inDouble), nOut_(nOut), first_(first) {}
+
+  ValueOf<R, Dim> operator[](std::size_t i) const {
+    const std::size_t slot = clusters_->slotOf(i);
+    const std::size_t place = (slot / clusterSize * static_cast<std::size_t>(nOut_) +
+                               static_cast<std::size_t>(first_)) *
+                                  clusterSize +
+                              slot % clusterSize;
+    if constexpr (R == Rank::vector) {
+      Vec<Dim> value;
+      for (int a = 0; a < Dim; ++a)
+        value[a] = at(place + static_cast<std::size_t>(a) * clusterSize);
+      return value;
+    } else {
+      return at(place);
+    }
+  }
+
+ private:
+  double at(std::size_t k) const { return double_ ? double_[k] : static_cast<double>(float_[k]); }
+
+  const Clusters<Dim>* clusters_;
+  const float* float_;
+  const double* double_;
+  int nOut_, first_;
+};
+
+/// Keeps particles sorted in clusters and knows who is near whom. The solver, relaxation and report
+/// card see neighbours only through the passes that an engine runs.
 template <int Dim>
 class Engine {
  public:
   struct Options {
     double support = 0;         ///< largest distance at which particles interact [m]
     double skin = 0.2;          ///< extra list radius, in units of the support
-    bool wallsReceive = false;  ///< walls need neighbours of their own
+    bool wallsReceive = false;  ///< some pass has walls among its receivers
+    Precision precision = Precision::mixed;
   };
 
   /// Throws InputError if a periodic axis of `domain` is shorter than twice the support.
   Engine(const Box<Dim>& domain, const Options& options);
 
-  /// To be called before a pass: wraps, sorts and searches anew if some particle has moved by half
-  /// the skin since the last time. Reorders the particles. Returns whether it did.
+  /// To be called before the passes of a step. Where particles may have moved by half the skin
+  /// since the last search, wraps them into the domain, reorders and searches anew; returns whether
+  /// it did.
   bool update(ParticleSet<Dim>& particles);
 
-  const NeighbourList<Dim>& neighbours() const { return list_; }
-  const Periodicity<Dim>& periodicity() const { return periodicity_; }
+  /// To be called when particles have moved: no one further than `distance` [m].
+  void moved(double distance) { travelled_ += distance; }
+  /// Search anew at the next update.
+  void forget() { travelled_ = std::numeric_limits<double>::infinity(); }
+
+  /// Computes the sums of a pass for all its receivers, from the fields as they are now. `update`
+  /// must have been called for these positions. Each sum is added up in an order that does not
+  /// depend on the number of threads.
+  void run(const PairPass<Dim>& pass, const ParticleSet<Dim>& particles);
+
+  /// The sums that the last pass wrote for a field; valid until the next pass.
+  template <Rank R>
+  SumView<R, Dim> sums(Field<R> field) const {
+    const bool mixed = options_.precision == Precision::mixed;
+    return {clusters_, mixed ? inFloat_.sums.data() : nullptr,
+            mixed ? nullptr : inDouble_.sums.data(), componentsOf<Dim>(written_),
+            offsetOf<Dim>(written_, field.id)};
+  }
+
   double support() const { return options_.support; }
+  Precision precision() const { return options_.precision; }
   std::size_t nRebuilds() const { return nRebuilds_; }
+  const TileList<Dim>& tiles() const { return list_; }
   std::size_t bytes() const;
 
  private:
-  bool movedTooFar(const ParticleSet<Dim>& particles) const;
-  void sort(ParticleSet<Dim>& particles);
-  Box<Dim> boundsOf(const ParticleSet<Dim>& particles) const;
+  /// What pairs are computed from and to, in clusters.
+  template <class T>
+  struct Numbers {
+    AlignedVector<T> positions;  ///< relative to the origin of the cluster
+    AlignedVector<T> fields;
+    AlignedVector<T> sums;
+  };
+
+  void rebuild(ParticleSet<Dim>& particles);
+  template <class T>
+  void loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& particles);
+  template <class T>
+  void loadFields(Numbers<T>& numbers, FieldSet reads, const ParticleSet<Dim>& particles);
+  template <class T>
+  TileWork<Dim, T> workOf(Numbers<T>& numbers, TileChunk<Dim>& chunk);
+  template <class T>
+  void findNear(Numbers<T>& numbers);
+  template <class T>
+  void run(Numbers<T>& numbers, const PairPass<Dim>& pass, TileFunction<Dim, T> function,
+           const ParticleSet<Dim>& particles);
 
   Box<Dim> domain_;
   Options options_;
   Periodicity<Dim> periodicity_;
-  double skin_ = 0;  // [m]
-  CellGrid<Dim> fluidCells_, wallCells_;
-  NeighbourList<Dim> list_;
-  std::vector<Vec<Dim>> reference_;  // positions at the last search; length size()
+  double skin_ = 0;        // [m]
+  double usableSkin_ = 0;  // of the present list [m]
+  double travelled_ = 0;  // since the last search [m]
+  SpatialOrder<Dim> fluidOrder_, wallOrder_;
   std::vector<std::uint32_t> order_;
+  Clusters<Dim> clusters_;
+  TileList<Dim> list_;
+  Numbers<float> inFloat_;
+  Numbers<double> inDouble_;
+  FieldSet written_;
   std::size_t nRebuilds_ = 0;
 };
 

@@ -7,12 +7,10 @@
 //     static constexpr FieldSet writes{...};  // members of Sums that it adds to
 //     template <class Real, int Dim>
 //     void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const;
-//     template <class Real, int Dim>          // optional: what a particle adds to itself
-//     void self(const ParticleView<Real, Dim>& i, Real W0, Sums<Real, Dim>& sums) const;
 //   };
 //
 // It knows neither loop nor layout nor how many pairs it sees at once: `Real` is a number or a
-// pack.
+// pack. As in the formulas, sums run over all neighbours and the particle itself (r_ij = 0).
 #pragma once
 
 #include "particles/field.hpp"
@@ -34,26 +32,70 @@ struct ParticleView {
   Real density;
   Real pressure;
   Vec<Dim, Real> velocity;
+  Real inverseDensity;  ///< 1/density, computed once a particle
 
   template <class Visit>
-  static constexpr void forEachMember(Visit&& visit) {
+  [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
+    visit(FieldTag<FieldId::velocity>{}, &ParticleView::velocity);
     visit(FieldTag<FieldId::mass>{}, &ParticleView::mass);
     visit(FieldTag<FieldId::density>{}, &ParticleView::density);
     visit(FieldTag<FieldId::pressure>{}, &ParticleView::pressure);
-    visit(FieldTag<FieldId::velocity>{}, &ParticleView::velocity);
+  }
+};
+
+/// factor grad_i W_ij
+template <class Real>
+struct TimesGradW {
+  Real factor;
+  [[gnu::always_inline]] friend TimesGradW operator*(Real s, TimesGradW g) {
+    return {s * g.factor};
+  }
+};
+struct GradW {
+  template <class Real>
+  [[gnu::always_inline]] friend TimesGradW<Real> operator*(Real s, GradW) {
+    return {s};
+  }
+};
+
+/// A vector that a pair adds to. Most terms point along grad_i W_ij: their factors are added up
+/// before the one multiplication by the vector.
+template <class Real, int Dim>
+struct VectorSum {
+  Real alongGradW{0};
+  Vec<Dim, Real> rest{};
+
+  [[gnu::always_inline]] VectorSum& operator+=(const TimesGradW<Real>& g) {
+    alongGradW += g.factor;
+    return *this;
+  }
+  [[gnu::always_inline]] VectorSum& operator-=(const TimesGradW<Real>& g) {
+    alongGradW -= g.factor;
+    return *this;
+  }
+  [[gnu::always_inline]] VectorSum& operator+=(const Vec<Dim, Real>& v) {
+    rest += v;
+    return *this;
+  }
+  [[gnu::always_inline]] VectorSum& operator-=(const Vec<Dim, Real>& v) {
+    rest -= v;
+    return *this;
+  }
+  [[gnu::always_inline]] Vec<Dim, Real> total(const Vec<Dim, Real>& gradW) const {
+    return alongGradW * gradW + rest;
   }
 };
 
 /// The fields of particle i that terms may add to.
 template <class Real, int Dim>
 struct Sums {
-  Real density{};
-  Real densityRate{};
-  Vec<Dim, Real> acceleration{};
-  Vec<Dim, Real> velocityChange{};
+  Real density{0};
+  Real densityRate{0};
+  VectorSum<Real, Dim> acceleration;
+  VectorSum<Real, Dim> velocityChange;
 
   template <class Visit>
-  static constexpr void forEachMember(Visit&& visit) {
+  [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
     visit(FieldTag<FieldId::density>{}, &Sums::density);
     visit(FieldTag<FieldId::densityRate>{}, &Sums::densityRate);
     visit(FieldTag<FieldId::acceleration>{}, &Sums::acceleration);
@@ -65,19 +107,21 @@ struct Sums {
 /// grad_i W_ij = F r_ij.
 template <class Real, int Dim>
 struct Pair {
-  ParticleView<Real, Dim> i, j;
+  const ParticleView<Real, Dim>& i;
+  const ParticleView<Real, Dim>& j;
   Vec<Dim, Real> r;      ///< r_ij = r_i - r_j, nearest periodic image [m]
   Real distanceSquared;  ///< |r_ij|^2 [m^2]
   Real h;                ///< smoothing length [m]
   Real W;
   Real F;
+  Real velocityDotR_;
 
   /// v_ij . r_ij [m^2/s]; negative for approaching particles.
-  Real velocityDotR() const { return dot(i.velocity - j.velocity, r); }
+  [[gnu::always_inline]] Real velocityDotR() const { return velocityDotR_; }
   /// v_ij . grad_i W_ij [m^-d s^-1]
-  Real velocityDotGradW() const { return F * velocityDotR(); }
+  [[gnu::always_inline]] Real velocityDotGradW() const { return F * velocityDotR_; }
   /// grad_i W_ij [m^-(d+1)]
-  Vec<Dim, Real> gradW() const { return F * r; }
+  [[gnu::always_inline]] GradW gradW() const { return {}; }
 };
 
 }  // namespace plenum

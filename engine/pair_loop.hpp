@@ -4,13 +4,14 @@
 // terms read is loaded, what they write is stored, the rest costs nothing.
 #pragma once
 
-#include "engine/engine.hpp"
+#include "engine/layout.hpp"
+#include "engine/pack.hpp"
 #include "engine/pair.hpp"
+#include "engine/tile_work.hpp"
 #include "particles/kernels.hpp"
 
-#include <array>
-#include <cassert>
 #include <tuple>
+#include <utility>
 
 namespace plenum {
 
@@ -23,138 +24,194 @@ struct Pass {
   Profile profile;
   double smoothingLength;  ///< h of all particles [m]
   std::tuple<Terms...> terms;
-  Group receivers = Group::fluids;
-  Group sources = Group::all;
 };
-
-namespace pair_loop {
-
-/// Pointers to the arrays that a pass reads or writes; the others are null.
-template <int Dim>
-struct Arrays {
-  template <FieldId Id>
-  using Value = ValueOf<infoOf(Id).rank, Dim>;
-
-  std::array<void*, nFields> data{};
-
-  explicit Arrays(ParticleSet<Dim>& particles) {
-    particles.forEachField([&](const FieldInfo& info, auto values) {
-      data[static_cast<std::size_t>(info.id)] = values.data();
-    });
-  }
-
-  template <FieldId Id>
-  Value<Id>* get(FieldTag<Id>) const {
-    return static_cast<Value<Id>*>(data[static_cast<std::size_t>(Id)]);
-  }
-};
-
-template <class Pass, int Dim>
-inline ParticleView<double, Dim> load(const Arrays<Dim>& arrays, std::size_t k) {
-  ParticleView<double, Dim> view;
-  ParticleView<double, Dim>::forEachMember([&](auto tag, auto member) {
-    if constexpr (Pass::reads.has(tag)) view.*member = arrays.get(tag)[k];
-  });
-  return view;
-}
-
-template <class Pass, int Dim>
-inline void store(const Arrays<Dim>& arrays, std::size_t k, const Sums<double, Dim>& sums) {
-  Sums<double, Dim>::forEachMember([&](auto tag, auto member) {
-    if constexpr (Pass::writes.has(tag)) arrays.get(tag)[k] = sums.*member;
-  });
-}
 
 /// sigma of a profile that is known at compile time or chosen at run time.
 template <int Dim, class Profile>
-double sigmaOf(const Profile& profile) {
+constexpr double sigmaOf(const Profile& profile) {
   if constexpr (requires { profile.sigma(Dim); })
     return profile.sigma(Dim);
   else
     return Profile::sigma[Dim - 1];
 }
 
-/// The sums of one particle over the given neighbours.
-template <int Dim, class Profile, class... Terms>
-inline void sumOver(const Pass<Profile, Terms...>& pass, const Arrays<Dim>& arrays,
-                    const Periodicity<Dim>& periodicity, std::size_t i,
-                    std::span<const std::uint32_t> neighbours) {
-  using ThisPass = Pass<Profile, Terms...>;
-  const double h = pass.smoothingLength, inverseH = 1 / h;
-  const double sigmaW = sigmaOf<Dim>(pass.profile) * power<Dim>(inverseH);
-  const double sigmaF = sigmaW * inverseH * inverseH;
-  const double supportSquared = 4 * h * h;
-  const Vec<Dim>* positions = arrays.get(FieldTag<FieldId::position>{});
-  const Vec<Dim> x = positions[i];
+/// Sums the terms of a pass over the near tiles of a chunk. `Real` is a pack of at most
+/// `clusterSize` neighbours of one receiver.
+template <class Real, int Dim, class Profile, class... Terms>
+class TileLoop {
+  using T = typename Real::Scalar;
+  using P = Pass<Profile, Terms...>;
+  using View = ParticleView<Real, Dim>;
+  using Terms_ = std::index_sequence_for<Terms...>;
 
-  Pair<double, Dim> ij;
-  ij.i = load<ThisPass>(arrays, i);
-  ij.h = h;
-  Sums<double, Dim> sums;
-  const auto add = [&](std::uint32_t j) {
-    ij.r = periodicity.nearestImage(x - positions[j]);
-    ij.distanceSquared = normSquared(ij.r);
-    const double R = squareRoot(ij.distanceSquared) * inverseH;
-    ij.W = sigmaW * pass.profile.f(R);
-    ij.F = sigmaF * pass.profile.g(R);
-    ij.j = load<ThisPass>(arrays, j);
-    std::apply([&](const auto&... terms) { (terms(ij, sums), ...); }, pass.terms);
+  static constexpr int nIn = componentsOf<Dim>(P::reads), nOut = componentsOf<Dim>(P::writes);
+  static constexpr int n = static_cast<int>(clusterSize);
+  static constexpr int nReceivers = n / 2;  // of a tile
+  static constexpr int lanes = Real::size;
+
+  /// The numbers of `writes`, one after the other.
+  struct Totals {
+    Real of[nOut];
   };
-  // The list holds its skin, too. First those in the support are picked without a branch, then
-  // summed.
-  constexpr std::size_t batch = 128;
-  std::array<std::uint32_t, batch> near;
-  for (std::size_t first = 0; first < neighbours.size(); first += batch) {
-    std::size_t nNear = 0;
-    for (const std::uint32_t j :
-         neighbours.subspan(first, std::min(batch, neighbours.size() - first))) {
-      near[nNear] = j;
-      nNear += normSquared(periodicity.nearestImage(x - positions[j])) < supportSquared;
+
+  struct Particle {
+    Vec<Dim, Real> position;
+    View view;
+  };
+
+  /// What is the same for all pairs.
+  struct Constants {
+    P pass;
+    Real h, inverseH, sigmaW, sigmaF;
+
+    explicit Constants(const P& p)
+        : pass(p), h(p.smoothingLength), inverseH(1 / p.smoothingLength) {
+      const double sigma = sigmaOf<Dim>(p.profile) * power<Dim>(1 / p.smoothingLength);
+      sigmaW = Real(sigma);
+      sigmaF = Real(sigma / (p.smoothingLength * p.smoothingLength));
     }
-    for (std::size_t k = 0; k < nNear; ++k) add(near[k]);
-  }
-  const auto addSelf = [&](const auto& term) {
-    if constexpr (requires { term.self(ij.i, sigmaW, sums); })
-      term.self(ij.i, sigmaW * pass.profile.f(0.0), sums);
   };
-  std::apply([&](const auto&... terms) { (addSelf(terms), ...); }, pass.terms);
-  store<ThisPass>(arrays, i, sums);
-}
 
-}  // namespace pair_loop
+ public:
+  TileLoop(const TileWork<Dim, T>& work, const P& pass) : work_(work), constants_(pass) {}
 
-/// Walls carry only some of the fields that fluids have; a pass over walls may write those alone.
-constexpr bool wallsCarry(FieldSet fields) {
-  for (const FieldInfo& info : fieldTable)
-    if (fields.has(info.id) && info.scope == Scope::fluid) return false;
-  return true;
-}
-
-/// Overwrites the fields that the pass writes, for all its receivers. Each particle sums over its
-/// own neighbours in list order, so the result does not depend on the number of threads.
-/// `engine.update` must have been called for these positions.
-template <int Dim, class Profile, class... Terms>
-void runPass(const Pass<Profile, Terms...>& pass, const Engine<Dim>& engine,
-             ParticleSet<Dim>& particles) {
-  const pair_loop::Arrays<Dim> arrays(particles);
-  const NeighbourList<Dim>& list = engine.neighbours();
-  assert(pass.receivers == Group::fluids || wallsCarry(pass.writes));
-  assert(pass.receivers == Group::fluids || list.nReceivers() == particles.size());
-  const auto blocks = list.blocks();
-  const std::size_t first = pass.receivers == Group::walls ? particles.nFluid() : 0;
-  const std::size_t last = pass.receivers == Group::fluids ? particles.nFluid() : particles.size();
-
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks.size()); ++b) {
-    const auto& block = blocks[static_cast<std::size_t>(b)];
-    const std::size_t end = std::min(block.last, last);
-    for (std::size_t i = std::max(block.first, first); i < end; ++i) {
-      const auto neighbours = pass.sources == Group::fluids  ? list.fluidsOf(block, i)
-                              : pass.sources == Group::walls ? list.wallsOf(block, i)
-                                                             : list.allOf(block, i);
-      pair_loop::sumOver<Dim>(pass, arrays, engine.periodicity(), i, neighbours);
+  void run() const {
+    const std::uint32_t* tile = work_.tiles;
+    for (std::uint32_t half = 0; half < 2 * work_.nClusters; ++half) {
+      sumHalf(half, tile, work_.counts[half]);
+      tile += work_.counts[half].all();
     }
   }
+
+ private:
+  /// The sums of half a cluster, and those that its tiles give to the neighbours.
+  void sumHalf(std::uint32_t half, const std::uint32_t* tile, const TileCounts& count) const {
+    const std::size_t cluster = work_.firstCluster + half / 2;
+    const std::size_t firstLane = half % 2 * nReceivers;
+    const Vec<Dim> origin = work_.locals[half / 2].origin;
+    Particle receivers[nReceivers];
+    for (std::size_t c = 0; c < nReceivers; ++c)
+      receivers[c] = particle(cluster, [&](const T* x) { return Real(x[firstLane + c]); });
+    Totals totals[nReceivers];
+    if (work_.fluidTiles) {
+      addTiles<false>(receivers, totals, origin, tile, count.nearSelf);
+      addTiles<true>(receivers, totals, origin, tile + count.self, count.nearFluid);
+    }
+    if (work_.wallTiles && count.nearWall > 0) {
+      tile += count.self + count.fluid;
+      Totals fromWalls[nReceivers];
+      if (work_.toWalls)
+        addTiles<true>(receivers, fromWalls, origin, tile, count.nearWall);
+      else
+        addTiles<false>(receivers, fromWalls, origin, tile, count.nearWall);
+      if (work_.fromWalls)
+        for (int c = 0; c < nReceivers; ++c)
+          for (int k = 0; k < nOut; ++k) totals[c].of[k] += fromWalls[c].of[k];
+    }
+    T* out = work_.sums + cluster * (nOut * n) + firstLane;
+    for (int k = 0; k < nOut; ++k)
+      for (int c = 0; c < nReceivers; ++c) out[k * n + c] += sumOfLanes(totals[c].of[k]);
+  }
+
+  template <bool toNeighbours>
+  [[gnu::noinline]] void addTiles(const Particle (&receivers)[nReceivers],
+                                  Totals (&totals)[nReceivers], const Vec<Dim>& origin,
+                                  const std::uint32_t* tiles, std::uint32_t nTiles) const {
+    const Constants constants = constants_;  // a copy that no store can change
+    for (std::uint32_t k = 0; k < nTiles; ++k) {
+      const LocalCluster<Dim>& local = work_.locals[tiles[k]];
+      for (int part = 0; part < n; part += lanes) {
+        Particle neighbour = particle(local.cluster, [&](const T* x) { return Real::load(x + part); });
+        for (int a = 0; a < Dim; ++a)
+          neighbour.position[a] += Real(static_cast<T>(local.origin[a] - origin[a]));
+        Totals back;
+#pragma GCC unroll 4
+        for (int c = 0; c < nReceivers; ++c)
+          addPair<toNeighbours>(constants, receivers[c], neighbour, totals[c], back);
+        if constexpr (toNeighbours) {
+          T* out = work_.sums + std::size_t{local.sums} * (nOut * n) + part;
+          for (int q = 0; q < nOut; ++q) (Real::load(out + q * n) + back.of[q]).store(out + q * n);
+        }
+      }
+    }
+  }
+
+  /// Both sides of a pair: what they share is computed once.
+  template <bool toNeighbours>
+  [[gnu::always_inline]] static void addPair(const Constants& constants, const Particle& i,
+                                             const Particle& j, Totals& totalsI, Totals& totalsJ) {
+    const P& pass = constants.pass;
+    const Vec<Dim, Real> r = i.position - j.position;
+    const Real distanceSquared = normSquared(r);
+    const Real R = squareRoot(distanceSquared) * constants.inverseH;
+    const Real W = constants.sigmaW * pass.profile.f(R);
+    const Real F = constants.sigmaF * pass.profile.g(R);
+    Real vDotR;
+    if constexpr (P::reads.has(FieldId::velocity))
+      vDotR = dot(i.view.velocity - j.view.velocity, r);
+    Sums<Real, Dim> toI, toJ;
+    evaluate(pass, {i.view, j.view, r, distanceSquared, constants.h, W, F, vDotR}, toI, Terms_{});
+    if constexpr (toNeighbours) {
+      evaluate(pass, {j.view, i.view, -r, distanceSquared, constants.h, W, F, vDotR}, toJ,
+               Terms_{});
+      add(toJ, F, -r, totalsJ);
+    }
+    add(toI, F, r, totalsI);
+  }
+
+  template <std::size_t... K>
+  [[gnu::always_inline]] static void evaluate(const P& pass, const Pair<Real, Dim>& pair,
+                                              Sums<Real, Dim>& sums, std::index_sequence<K...>) {
+    (std::get<K>(pass.terms)(pair, sums), ...);
+  }
+
+  [[gnu::always_inline]] static void add(const Sums<Real, Dim>& sums, Real F,
+                                         const Vec<Dim, Real>& r, Totals& totals) {
+    Sums<Real, Dim>::forEachMember([&](auto tag, auto member) {
+      if constexpr (P::writes.has(tag)) {
+        constexpr int first = offsetOf<Dim>(P::writes, tag);
+        if constexpr (infoOf(tag).rank == Rank::vector) {
+          const Real factor = (sums.*member).alongGradW * F;
+          const Vec<Dim, Real>& rest = (sums.*member).rest;
+          totals.of[first] += factor * r[0] + rest[0];
+          if constexpr (Dim > 1) totals.of[first + 1] += factor * r[1] + rest[1];
+          if constexpr (Dim > 2) totals.of[first + 2] += factor * r[2] + rest[2];
+        } else {
+          totals.of[first] += sums.*member;
+        }
+      }
+    });
+  }
+
+  /// A particle, or as many as `load` takes from a row of a cluster's numbers.
+  template <class Load>
+  [[gnu::always_inline]] Particle particle(std::size_t cluster, Load&& load) const {
+    const T* position = work_.positions + cluster * (Dim * n);
+    const T* fields = work_.fields + cluster * (nIn * n);
+    Particle p;
+    for (int a = 0; a < Dim; ++a) p.position[a] = load(position + a * n);
+    View::forEachMember([&](auto tag, auto member) {
+      if constexpr (P::reads.has(tag)) {
+        constexpr int first = offsetOf<Dim>(P::reads, tag);
+        if constexpr (infoOf(tag).rank == Rank::vector)
+          for (int a = 0; a < Dim; ++a) (p.view.*member)[a] = load(fields + (first + a) * n);
+        else
+          p.view.*member = load(fields + first * n);
+      }
+    });
+    if constexpr (P::reads.has(FieldId::density)) p.view.inverseDensity = Real(1) / p.view.density;
+    return p;
+  }
+
+  const TileWork<Dim, T>& work_;
+  Constants constants_;
+};
+
+/// A TileFunction for a Pass whose type is known.
+template <class Real, int Dim, class Profile, class... Terms>
+void sumTiles(const TileWork<Dim, typename Real::Scalar>& work, const void* pass) {
+  TileLoop<Real, Dim, Profile, Terms...>(work, *static_cast<const Pass<Profile, Terms...>*>(pass))
+      .run();
 }
 
 }  // namespace plenum

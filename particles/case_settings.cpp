@@ -69,6 +69,10 @@ const Section<SolverSettings>& solverSection() {
                   "fixed time step; absent: from cfl")
           .number("cfl", &S::cfl, "", Range::above(0, 2),
                   "time step = cfl min(h/(c + |v|), sqrt(h/|a|))")
+          .text("precision", &S::precision,
+                "numbers in which pairs are computed: float with the state in double (mixed), or "
+                "double",
+                {"mixed", "double"})
           .number("end_time", &S::endTime, "s", Range::notNegative(), "when the run ends");
   return section;
 }

@@ -48,6 +48,7 @@ struct SolverSettings {
   std::string wallPressure = "zero";
   std::optional<double> timeStep;  ///< fixed [s]; absent: from cfl
   double cfl = 0.2;
+  std::string precision = "mixed";  ///< of pairs; the state is in double
   double endTime = 1;  ///< [s]
 
   /// Density and pressure of walls follow the fluid's equations, instead of standing still.

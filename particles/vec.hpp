@@ -23,16 +23,23 @@ struct Vec {
     return components[static_cast<std::size_t>(axis)];
   }
 
+  // Written out per axis, without a loop: so the compiler keeps a vector of packs in registers.
   constexpr Vec& operator+=(const Vec& b) {
-    for (int a = 0; a < Dim; ++a) (*this)[a] += b[a];
+    (*this)[0] += b[0];
+    if constexpr (Dim > 1) (*this)[1] += b[1];
+    if constexpr (Dim > 2) (*this)[2] += b[2];
     return *this;
   }
   constexpr Vec& operator-=(const Vec& b) {
-    for (int a = 0; a < Dim; ++a) (*this)[a] -= b[a];
+    (*this)[0] -= b[0];
+    if constexpr (Dim > 1) (*this)[1] -= b[1];
+    if constexpr (Dim > 2) (*this)[2] -= b[2];
     return *this;
   }
   constexpr Vec& operator*=(const Real& s) {
-    for (int a = 0; a < Dim; ++a) (*this)[a] *= s;
+    (*this)[0] *= s;
+    if constexpr (Dim > 1) (*this)[1] *= s;
+    if constexpr (Dim > 2) (*this)[2] *= s;
     return *this;
   }
 
@@ -45,7 +52,9 @@ struct Vec {
     return a;
   }
   friend constexpr Vec operator-(Vec a) {
-    for (int k = 0; k < Dim; ++k) a[k] = -a[k];
+    a[0] = -a[0];
+    if constexpr (Dim > 1) a[1] = -a[1];
+    if constexpr (Dim > 2) a[2] = -a[2];
     return a;
   }
   friend constexpr bool operator==(const Vec&, const Vec&) = default;
@@ -54,7 +63,8 @@ struct Vec {
 template <int Dim, class Real>
 constexpr Real dot(const Vec<Dim, Real>& a, const Vec<Dim, Real>& b) {
   Real sum = a[0] * b[0];
-  for (int k = 1; k < Dim; ++k) sum += a[k] * b[k];
+  if constexpr (Dim > 1) sum += a[1] * b[1];
+  if constexpr (Dim > 2) sum += a[2] * b[2];
   return sum;
 }
 

@@ -1,109 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Run-time choices become template arguments here and nowhere else. Every `Selected` below is one
-// instantiation of the pair loop; the budget of the project is 150.
-#include "engine/pair_loop.hpp"
+#include "engine/instruction_set.hpp"
 #include "solver/pair_pass.hpp"
-#include "solver/terms.hpp"
+#include "solver/pass_choice.hpp"
 
 namespace plenum {
 
 namespace {
 
-template <int Dim, class Profile, class... Terms>
-class Selected final : public PairPass<Dim> {
- public:
-  explicit Selected(const Pass<Profile, Terms...>& pass) : pass_(pass) {}
-  void run(const Engine<Dim>& engine, ParticleSet<Dim>& particles) const override {
-    runPass(pass_, engine, particles);
-  }
-  FieldSet reads() const override { return pass_.reads; }
-  FieldSet writes() const override { return pass_.writes; }
-
- private:
-  Pass<Profile, Terms...> pass_;
-};
+template <int Dim, class... Terms>
+PairPass<Dim> makePass(PassChoice choice, TermList<Terms...> list, Group receivers,
+                       Group sources) {
+  choice.termList = indexOf<TermList<Terms...>>();
+  PairPass<Dim> pass;
+  pass.reads = list.reads;
+  pass.writes = list.writes;
+  pass.receivers = receivers;
+  pass.sources = sources;
+  withInstructionSet(instructionSet(), [&](auto isa) {
+    pass.inFloat = tileFunction<decltype(isa), float, Dim>(choice);
+    pass.inDouble = tileFunction<decltype(isa), double, Dim>(choice);
+  });
+  pass.parameters = std::make_shared<const PassChoice>(choice);
+  return pass;
+}
 
 template <int Dim>
-using PassPtr = std::unique_ptr<PairPass<Dim>>;
-
-template <int Dim>
-class Selector {
- public:
-  Selector(const SolverSettings& settings, double spacing, bool hasWalls)
-      : settings_(settings), spacing_(spacing), hasWalls_(hasWalls) {}
-
-  template <class Profile>
-  StepPasses<Dim> passes(const Profile& profile) const {
-    return {densityPass(profile), forcePass(profile), nullptr};
-  }
-
-  /// Collisions need no kernel: one loop for all.
-  PassPtr<Dim> collisionPass() const {
-    if (!settings_.collisions) return nullptr;
-    const CollisionSettings& c = *settings_.collisions;
-    const Group sources = c.pairs == "fluid"  ? Group::fluids
-                          : c.pairs == "wall" ? Group::walls
-                                              : Group::all;
-    return make(noKernel(), Group::fluids, sources,
-                term::Collision{c.restitution, c.range * spacing_});
-  }
-
- private:
-  static kernel::Any noKernel() { return kernel::Any{KernelId(0)}; }
-
-  template <class Profile, class... Terms>
-  PassPtr<Dim> make(const Profile& profile, Group receivers, Group sources,
-                    const Terms&... terms) const {
-    Pass<Profile, Terms...> pass{
-        profile, settings_.smoothingLength * spacing_, {terms...}, receivers, sources};
-    return std::make_unique<Selected<Dim, Profile, Terms...>>(pass);
-  }
-
-  template <class Profile>
-  PassPtr<Dim> densityPass(const Profile& profile) const {
-    const Group receivers = hasWalls_ && settings_.wallsEvolve() ? Group::all : Group::fluids;
-    if (settings_.density == "summation")
-      return make(profile, receivers, Group::all, term::DensitySum{});
-    return make(profile, receivers, Group::all, term::Continuity{});
-  }
-
-  template <class Profile>
-  PassPtr<Dim> forcePass(const Profile& profile) const {
-    if (momentumForm(settings_) == "density_squared")
-      return forcePass(profile, term::PressureDensitySquared{});
-    return forcePass(profile, term::PressureDensityProduct{});
-  }
-
-  template <class Profile, class Pressure>
-  PassPtr<Dim> forcePass(const Profile& profile, const Pressure& pressure) const {
-    if (!settings_.viscosity || !settings_.viscosity->monaghan)
-      return make(profile, Group::fluids, Group::all, pressure);
-    const MonaghanSettings& monaghan = *settings_.viscosity->monaghan;
-    const term::MonaghanViscosity viscosity{monaghan.alpha, monaghan.beta, settings_.soundSpeed};
-    return make(profile, Group::fluids, Group::all, pressure, viscosity);
-  }
-
-  const SolverSettings& settings_;
-  double spacing_;
-  bool hasWalls_;
-};
-
-/// The kernels that scenes name: each has its own loops in 2-D and 3-D.
-template <class Visit>
-bool withTunedProfile(KernelId id, Visit&& visit) {
-  bool found = false;
-  const auto tryProfile = [&](auto profile) {
-    if (kernel::indexOf<decltype(profile)>() != id.index()) return;
-    visit(profile);
-    found = true;
+PairPass<Dim> forcePass(const PassChoice& choice, const SolverSettings& settings) {
+  using namespace term;
+  const bool viscous = settings.viscosity && settings.viscosity->monaghan;
+  const auto make = [&](auto list) {
+    return makePass<Dim>(choice, list, Group::fluids, Group::all);
   };
-  tryProfile(kernel::CubicSpline{});
-  tryProfile(kernel::WendlandC2{});
-  tryProfile(kernel::WendlandC2OneD{});
-  tryProfile(kernel::WendlandQuadratic{});
-  tryProfile(kernel::Convex{});
-  return found;
+  if (momentumForm(settings) == "density_squared")
+    return viscous ? make(TermList<PressureDensitySquared, MonaghanViscosity>{})
+                   : make(TermList<PressureDensitySquared>{});
+  return viscous ? make(TermList<PressureDensityProduct, MonaghanViscosity>{})
+                 : make(TermList<PressureDensityProduct>{});
 }
 
 }  // namespace
@@ -115,14 +47,32 @@ std::string momentumForm(const SolverSettings& settings) {
 
 template <int Dim>
 StepPasses<Dim> selectPasses(const SolverSettings& settings, double spacing, bool hasWalls) {
-  const Selector<Dim> selector(settings, spacing, hasWalls);
-  const KernelId id = KernelId::named(settings.kernel);
+  PassChoice choice;
+  choice.kernel = KernelId::named(settings.kernel).index();
+  choice.smoothingLength = settings.smoothingLength * spacing;
+  if (settings.viscosity && settings.viscosity->monaghan) {
+    const MonaghanSettings& monaghan = *settings.viscosity->monaghan;
+    static_cast<term::MonaghanViscosity&>(choice.terms) = {monaghan.alpha, monaghan.beta,
+                                                           settings.soundSpeed};
+  }
+  if (settings.collisions)
+    static_cast<term::Collision&>(choice.terms) = {settings.collisions->restitution,
+                                                   settings.collisions->range * spacing};
   StepPasses<Dim> passes;
-  bool tuned = false;
-  if constexpr (Dim > 1)
-    tuned = withTunedProfile(id, [&](auto profile) { passes = selector.passes(profile); });
-  if (!tuned) passes = selector.passes(kernel::Any{id});
-  passes.collisions = selector.collisionPass();
+  const Group receivers = hasWalls && settings.wallsEvolve() ? Group::all : Group::fluids;
+  passes.density =
+      settings.density == "summation"
+          ? makePass<Dim>(choice, TermList<term::DensitySum>{}, receivers, Group::all)
+          : makePass<Dim>(choice, TermList<term::Continuity>{}, receivers, Group::all);
+  passes.forces = forcePass<Dim>(choice, settings);
+  if (settings.collisions) {
+    const std::string& pairs = settings.collisions->pairs;
+    const Group sources = pairs == "fluid"  ? Group::fluids
+                          : pairs == "wall" ? Group::walls
+                                            : Group::all;
+    passes.collisions =
+        makePass<Dim>(choice, TermList<term::Collision>{}, Group::fluids, sources);
+  }
   return passes;
 }
 

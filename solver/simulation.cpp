@@ -41,6 +41,7 @@ typename Engine<Dim>::Options engineOptions(const SceneInfo<Dim>& info, const So
   typename Engine<Dim>::Options options;
   options.support = 2 * s.smoothingLength * info.spacing;
   options.wallsReceive = !info.walls.empty() && s.wallsEvolve();
+  options.precision = s.precision == "double" ? Precision::doubled : Precision::mixed;
   return options;
 }
 
@@ -60,6 +61,7 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings)
   scene_.info.kernel = settings_.kernel;
   scene_.info.smoothingLength = smoothingLength();
 
+  largestAcceleration_ = norm(gravity_);
   const FieldSet needed = neededFields();
   scene_.particles.add(needed);
   scene_.particles.remove(scene_.particles.fields().without(needed));
@@ -75,7 +77,7 @@ FieldSet Simulation<Dim>::neededFields() const {
   if (scene_.particles.nWalls() > 0) needed |= {field::wall, field::normal, field::wallDistance};
   if (scene_.info.materials.size() > 1) needed |= {field::material};
   for (const auto* pass : {&passes_.density, &passes_.forces, &passes_.collisions})
-    if (*pass) needed |= (*pass)->reads() | (*pass)->writes();
+    if (*pass) needed |= pass->reads;
   return needed;
 }
 
@@ -84,13 +86,13 @@ void Simulation<Dim>::step(double dt) {
   engine_.update(scene_.particles);
   updateDensity(dt);
   updatePressure();
-  passes_.forces->run(engine_, scene_.particles);
+  engine_.run(passes_.forces, scene_.particles);
   kick(dt);
   collide();
   drift(dt);
   scene_.info.time += dt;
   ++nSteps_;
-  wallMotion_.moveTo(time(), scene_.particles);
+  engine_.moved(wallMotion_.moveTo(time(), scene_.particles));
 }
 
 /// Fluids, and walls too where they follow the fluid's equations.
@@ -101,10 +103,14 @@ std::size_t Simulation<Dim>::nDensityReceivers() const {
 
 template <int Dim>
 void Simulation<Dim>::updateDensity(double dt) {
-  passes_.density->run(engine_, scene_.particles);
-  if (!passes_.density->writes().has(field::densityRate)) return;
+  engine_.run(passes_.density, scene_.particles);
   const auto density = scene_.particles[field::density];
-  const auto rate = scene_.particles[field::densityRate];
+  if (passes_.density.writes.has(field::density)) {
+    const auto sums = engine_.sums(field::density);
+    forEachIndex(nDensityReceivers(), [&](std::size_t i) { density[i] = sums[i]; });
+    return;
+  }
+  const auto rate = engine_.sums(field::densityRate);
   requireSound("the density is no longer positive and finite", [&](std::size_t i) {
     const double next = density[i] + dt * rate[i];
     return next > 0 && std::isfinite(next);
@@ -153,20 +159,27 @@ void Simulation<Dim>::fail(const char* what, std::size_t i) const {
 template <int Dim>
 void Simulation<Dim>::kick(double dt) {
   const auto velocity = scene_.particles[field::velocity];
-  const auto acceleration = scene_.particles[field::acceleration];
+  const auto acceleration = engine_.sums(field::acceleration);
   requireSound("the force is not finite", [&](std::size_t i) {
     return std::isfinite(normSquared(velocity[i] + dt * acceleration[i]));
   });
-  forEachIndex(scene_.particles.nFluid(),
-               [&](std::size_t i) { velocity[i] += dt * (acceleration[i] + gravity_); });
+  const std::size_t n = scene_.particles.nFluid();
+  double largest = 0;
+#pragma omp parallel for schedule(static) reduction(max : largest) if (n >= worthThreads)
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec<Dim> a = acceleration[i] + gravity_;
+    velocity[i] += dt * a;
+    largest = std::max(largest, normSquared(a));
+  }
+  largestAcceleration_ = std::sqrt(largest);
 }
 
 template <int Dim>
 void Simulation<Dim>::collide() {
   if (!passes_.collisions) return;
-  passes_.collisions->run(engine_, scene_.particles);
+  engine_.run(passes_.collisions, scene_.particles);
   const auto velocity = scene_.particles[field::velocity];
-  const auto change = scene_.particles[field::velocityChange];
+  const auto change = engine_.sums(field::velocityChange);
   requireSound("the change of velocity by collisions is not finite",
                [&](std::size_t i) { return std::isfinite(normSquared(velocity[i] + change[i])); });
   forEachIndex(scene_.particles.nFluid(), [&](std::size_t i) { velocity[i] += change[i]; });
@@ -179,29 +192,31 @@ void Simulation<Dim>::drift(double dt) {
   forEachIndex(scene_.particles.nFluid(), [&](std::size_t i) {
     position[i] = scene_.info.domain.wrap(position[i] + dt * velocity[i]);
   });
+  engine_.moved(dt * fastest());
+}
+
+template <int Dim>
+double Simulation<Dim>::fastest() const {
+  const auto velocity = scene_.particles[field::velocity];
+  const std::size_t n = scene_.particles.nFluid();
+  double largest = 0;
+#pragma omp parallel for schedule(static) reduction(max : largest) if (n >= worthThreads)
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, normSquared(velocity[i]));
+  return std::sqrt(largest);
 }
 
 template <int Dim>
 double Simulation<Dim>::maxTimeStep() const {
   if (settings_.timeStep) return *settings_.timeStep;
-  const auto velocity = scene_.particles[field::velocity];
-  const auto acceleration = scene_.particles[field::acceleration];
-  const std::size_t n = scene_.particles.nFluid();
-  double speed = 0, force = 0;
-#pragma omp parallel for schedule(static) reduction(max : speed, force) if (n >= worthThreads)
-  for (std::size_t i = 0; i < n; ++i) {
-    speed = std::max(speed, normSquared(velocity[i]));
-    force = std::max(force, normSquared(acceleration[i] + gravity_));
-  }
-  const double h = smoothingLength();
-  const double bySignal = h / (settings_.soundSpeed + std::sqrt(speed));
-  const double byForce = force > 0 ? std::sqrt(h / std::sqrt(force)) : bySignal;
+  const double h = smoothingLength(), speed = fastest();
+  const double bySignal = h / (settings_.soundSpeed + speed);
+  const double byForce = largestAcceleration_ > 0 ? std::sqrt(h / largestAcceleration_) : bySignal;
   const double step = settings_.cfl * std::min(bySignal, byForce);
   if (!(step > 1e-6 * h / settings_.soundSpeed)) {
-    const auto isFastest = [&](const Vec<Dim>& v) { return normSquared(v) >= speed; };
-    const auto fastest = std::ranges::find_if(velocity.first(n), isFastest) - velocity.begin();
+    const auto velocity = scene_.particles[field::velocity].first(scene_.particles.nFluid());
+    const auto isFastest = [&](const Vec<Dim>& v) { return norm(v) >= speed; };
     fail("the fastest of all, makes the cfl time step fall below a millionth of h/c",
-         static_cast<std::size_t>(fastest));
+         static_cast<std::size_t>(std::ranges::find_if(velocity, isFastest) - velocity.begin()));
   }
   return step;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/engine.hpp"
 #include "particles/case_settings.hpp"
 #include "particles/scene.hpp"
 #include "solver/equation_of_state.hpp"
@@ -68,6 +69,7 @@ class Simulation {
   [[noreturn]] void fail(const char* what, std::size_t particle) const;
 
   std::size_t nDensityReceivers() const;
+  double fastest() const;  // largest speed of a fluid particle [m/s]
 
   SolverSettings settings_;
   Scene<Dim> scene_;
@@ -77,6 +79,7 @@ class Simulation {
   MaterialTable wallMaterials_;
   WallMotion<Dim> wallMotion_;
   Vec<Dim> gravity_{};
+  double largestAcceleration_ = 0;  // of a fluid particle in the last step [m/s^2]
   long nSteps_ = 0;
 };
 

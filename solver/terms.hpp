@@ -12,14 +12,11 @@ namespace plenum::term {
 struct DensitySum {
   static constexpr FieldSet reads{field::mass};
   static constexpr FieldSet writes{field::density};
+  static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
-  void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
     i.density += ij.j.mass * ij.W;
-  }
-  template <class Real, int Dim>
-  void self(const ParticleView<Real, Dim>& i, Real W0, Sums<Real, Dim>& sums) const {
-    sums.density += i.mass * W0;
   }
 };
 
@@ -27,10 +24,11 @@ struct DensitySum {
 struct Continuity {
   static constexpr FieldSet reads{field::mass, field::density, field::velocity};
   static constexpr FieldSet writes{field::densityRate};
+  static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
-  void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    i.densityRate += ij.i.density * ij.j.mass / ij.j.density * ij.velocityDotGradW();
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+    i.densityRate += ij.i.density * ij.j.mass * ij.j.inverseDensity * ij.velocityDotGradW();
   }
 };
 
@@ -39,11 +37,12 @@ struct Continuity {
 struct PressureDensitySquared {
   static constexpr FieldSet reads{field::mass, field::density, field::pressure};
   static constexpr FieldSet writes{field::acceleration};
+  static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
-  void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    const Real stress = ij.i.pressure / (ij.i.density * ij.i.density) +
-                        ij.j.pressure / (ij.j.density * ij.j.density);
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+    const Real stress = ij.i.pressure * (ij.i.inverseDensity * ij.i.inverseDensity) +
+                        ij.j.pressure * (ij.j.inverseDensity * ij.j.inverseDensity);
     i.acceleration -= ij.j.mass * stress * ij.gradW();
   }
 };
@@ -53,10 +52,12 @@ struct PressureDensitySquared {
 struct PressureDensityProduct {
   static constexpr FieldSet reads{field::mass, field::density, field::pressure};
   static constexpr FieldSet writes{field::acceleration};
+  static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
-  void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    const Real stress = (ij.i.pressure + ij.j.pressure) / (ij.i.density * ij.j.density);
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+    const Real stress =
+        (ij.i.pressure + ij.j.pressure) * (ij.i.inverseDensity * ij.j.inverseDensity);
     i.acceleration -= ij.j.mass * stress * ij.gradW();
   }
 };
@@ -67,17 +68,20 @@ struct PressureDensityProduct {
 struct MonaghanViscosity {
   static constexpr FieldSet reads{field::density, field::mass, field::velocity};
   static constexpr FieldSet writes{field::acceleration};
+  static constexpr bool usesKernel = true;
 
   double alpha = 0;
   double beta = 0;
   double soundSpeed = 0;  ///< [m/s]
 
   template <class Real, int Dim>
-  void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    const Real mu =
-        ij.h * negativePart(ij.velocityDotR()) / (ij.distanceSquared + Real(0.01) * ij.h * ij.h);
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
     const Real meanDensity = Real(0.5) * (ij.i.density + ij.j.density);
-    const Real Pi = mu * (Real(beta) * mu - Real(alpha * soundSpeed)) / meanDensity;
+    const Real softened = ij.distanceSquared + Real(0.01) * ij.h * ij.h;
+    const Real muOverDensity =
+        ij.h * negativePart(ij.velocityDotR()) / (softened * meanDensity);
+    const Real mu = muOverDensity * meanDensity;
+    const Real Pi = muOverDensity * (Real(beta) * mu - Real(alpha * soundSpeed));
     i.acceleration -= ij.j.mass * Pi * ij.gradW();
   }
 };
@@ -88,12 +92,13 @@ struct MonaghanViscosity {
 struct Collision {
   static constexpr FieldSet reads{field::mass, field::velocity};
   static constexpr FieldSet writes{field::velocityChange};
+  static constexpr bool usesKernel = false;
 
   double restitution = 0;  ///< C_R
   double range = 0;        ///< delta_c d_ref [m]
 
   template <class Real, int Dim>
-  void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
     const Real tiny = Real(1e-12 * range * range);  // coincident particles do not collide
     const Real approach =
         select(ij.distanceSquared < Real(range * range), negativePart(ij.velocityDotR()), Real(0));

@@ -80,8 +80,8 @@ WallMotion<Dim>::WallMotion(std::vector<Wall> walls, const ParticleSet<Dim>& par
 }
 
 template <int Dim>
-void WallMotion<Dim>::moveTo(double time, ParticleSet<Dim>& particles) {
-  if (start_.empty()) return;
+double WallMotion<Dim>::moveTo(double time, ParticleSet<Dim>& particles) {
+  if (start_.empty()) return 0;
   displacements_.clear();
   for (const Wall& wall : walls_) displacements_.emplace_back(wall.motion, startTime_, time);
 
@@ -91,17 +91,22 @@ void WallMotion<Dim>::moveTo(double time, ParticleSet<Dim>& particles) {
   const auto ids = particles[field::id].subspan(nFluid);
   const auto normals = particles[field::normal];
   const auto wallOf = particles[field::wall];
-  forEachIndex(positions.size(), [&](std::size_t k) {
+  double longest = 0;
+  const std::size_t n = positions.size();
+#pragma omp parallel for schedule(static) reduction(max : longest) if (n >= worthThreads)
+  for (std::size_t k = 0; k < n; ++k) {
     const auto w = static_cast<std::size_t>(wallOf[k]);
     const RigidMotion& motion = walls_[w].motion;
-    if (motion.isStill()) return;
+    if (motion.isStill()) continue;
     const Displacement& displacement = displacements_[w];
     const Start& start = start_[ids[k] - firstId_];
     const Vec<Dim> position = displacement.moved(start.position);
+    longest = std::max(longest, normSquared(domain_.nearestImage(position - positions[k])));
     positions[k] = domain_.wrap(position);
     normals[k] = displacement.turned(start.normal);
     velocities[k] = velocityAt(motion, position, fromThree<Dim>(displacement.centerAfter));
-  });
+  }
+  return std::sqrt(longest);
 }
 
 template Vec<1> velocityAt<1>(const RigidMotion&, const Vec<1>&, const Vec<1>&);

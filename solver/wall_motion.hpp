@@ -36,8 +36,8 @@ class WallMotion {
              double startTime);
 
   /// Sets positions (wrapped into the periodic domain), velocities and normals of all moving walls
-  /// to those at `time` [s].
-  void moveTo(double time, ParticleSet<Dim>& particles);
+  /// to those at `time` [s]. Returns the longest way that one of them went [m].
+  double moveTo(double time, ParticleSet<Dim>& particles);
 
  private:
   struct Start {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/pack.hpp"
+#include "engine/tile_work.hpp"
+
+namespace plenum {
+
+template <class Real, int Dim>
+class NearTiles {
+  using T = typename Real::Scalar;
+  static constexpr int n = static_cast<int>(clusterSize);
+  static constexpr int nReceivers = n / 2;
+  static constexpr int lanes = Real::size;
+
+ public:
+  NearTiles(const TileWork<Dim, T>& work, double radius)
+      : work_(work), limit_(static_cast<T>(radius * radius)) {}
+
+  void find() const {
+    std::uint32_t* tile = work_.tiles;
+    for (std::uint32_t half = 0; half < 2 * work_.nClusters; ++half) {
+      TileCounts& count = work_.counts[half];
+      const T* block =
+          work_.positions + std::size_t{work_.firstCluster + half / 2} * Dim * n + half % 2 * nReceivers;
+      Real x[nReceivers][Dim];
+      for (int c = 0; c < nReceivers; ++c)
+        for (int a = 0; a < Dim; ++a) x[c][a] = Real(block[a * n + c]);
+      const Vec<Dim>& origin = work_.locals[half / 2].origin;
+      count.nearSelf = nearFirst(x, origin, tile, count.self);
+      tile += count.self;
+      count.nearFluid = nearFirst(x, origin, tile, count.fluid);
+      tile += count.fluid;
+      count.nearWall = nearFirst(x, origin, tile, count.wall);
+      tile += count.wall;
+    }
+  }
+
+ private:
+  /// Swaps each near tile with the first one that is not; without a branch.
+  [[gnu::always_inline]] std::uint16_t nearFirst(const Real (&x)[nReceivers][Dim],
+                                                 const Vec<Dim>& origin, std::uint32_t* tile,
+                                                 std::uint32_t count) const {
+    std::uint32_t nNear = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t candidate = tile[k];
+      const bool near = isNear(x, origin, work_.locals[candidate]);
+      tile[k] = tile[nNear];
+      tile[nNear] = candidate;
+      nNear += near;
+    }
+    return static_cast<std::uint16_t>(nNear);
+  }
+
+  [[gnu::always_inline]] bool isNear(const Real (&x)[nReceivers][Dim], const Vec<Dim>& origin,
+                                     const LocalCluster<Dim>& local) const {
+    const T* block = work_.positions + std::size_t{local.cluster} * Dim * n;
+    Real least(limit_);
+    for (int part = 0; part < n; part += lanes) {
+      Real y[Dim];
+      for (int a = 0; a < Dim; ++a)
+        y[a] = Real::load(block + a * n + part) + Real(static_cast<T>(local.origin[a] - origin[a]));
+      for (int c = 0; c < nReceivers; ++c) {
+        Real distanceSquared(0);
+        for (int a = 0; a < Dim; ++a) distanceSquared += (x[c][a] - y[a]) * (x[c][a] - y[a]);
+        least = min(least, distanceSquared);
+      }
+    }
+    return anyBelow(least, limit_);
+  }
+
+  const TileWork<Dim, T>& work_;
+  T limit_;
+};
+
+}  // namespace plenum

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/tile_list.hpp"
+
+#include "engine/tile_search.hpp"
+#include "particles/parallel.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+
+namespace plenum {
+
+template <int Dim>
+void Clusters<Dim>::build(std::span<const Vec<Dim>> positions, std::size_t nFluids) {
+  const auto wholeClusters = [](std::size_t n) { return (n + clusterSize - 1) / clusterSize; };
+  nParticles = positions.size();
+  nFluid = nFluids;
+  nFluidClusters = wholeClusters(nFluid);
+  nClusters = nFluidClusters + wholeClusters(nParticles - nFluid);
+  origin.resize(nClusters);
+  halfSize.resize(nClusters);
+  forEachIndex(nClusters, [&](std::size_t c) {
+    const Box<Dim> box = boxOf<Dim>(positions.subspan(firstOf(c), endOf(c) - firstOf(c)));
+    origin[c] = box.center();
+    for (int a = 0; a < Dim; ++a) halfSize[c][a] = roundedUp(0.5 * (box.upper[a] - box.lower[a]));
+  });
+}
+
+template <int Dim>
+struct TileList<Dim>::Search : TileSearch<Dim> {};
+
+template <int Dim>
+TileList<Dim>::TileList() = default;
+template <int Dim>
+TileList<Dim>::~TileList() = default;
+template <int Dim>
+TileList<Dim>::TileList(TileList&&) noexcept = default;
+template <int Dim>
+TileList<Dim>& TileList<Dim>::operator=(TileList&&) noexcept = default;
+
+/// Chunks of equal numbers of clusters: large enough that few clusters lie outside of the chunk
+/// whose tiles they are in, small enough that threads share the work evenly. Their number does not
+/// depend on the number of threads, so that sums do not, either.
+template <int Dim>
+void TileList<Dim>::divide(const Clusters<Dim>& clusters, bool wallsReceive) {
+  constexpr std::size_t smallest = 32, largest = Dim == 3 ? 2048 : 512, wanted = 64;
+  chunkSize_ = std::clamp(clusters.nClusters / wanted, smallest, largest);
+  nFluidClusters_ = clusters.nFluidClusters;
+  const auto count = [&](std::size_t n) { return (n + chunkSize_ - 1) / chunkSize_; };
+  nFluidChunks_ = count(clusters.nFluidClusters);
+  nChunks_ = nFluidChunks_;
+  if (wallsReceive) nChunks_ += count(clusters.nClusters - clusters.nFluidClusters);
+  if (chunks_.size() < nChunks_) chunks_.resize(nChunks_);
+  for (std::size_t c = 0; c < nChunks_; ++c) {
+    const bool isFluid = c < nFluidChunks_;
+    const std::size_t first =
+        isFluid ? c * chunkSize_ : nFluidClusters_ + (c - nFluidChunks_) * chunkSize_;
+    const std::size_t end =
+        std::min(first + chunkSize_, isFluid ? nFluidClusters_ : clusters.nClusters);
+    chunks_[c].firstCluster = static_cast<std::uint32_t>(first);
+    chunks_[c].nClusters = static_cast<std::uint32_t>(end - first);
+  }
+}
+
+template <int Dim>
+std::size_t TileList<Dim>::chunkOf(std::size_t cluster) const {
+  return cluster < nFluidClusters_ ? cluster / chunkSize_
+                                   : nFluidChunks_ + (cluster - nFluidClusters_) / chunkSize_;
+}
+
+template <int Dim>
+void TileList<Dim>::build(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
+                          const Box<Dim>& domain, double radius, bool wallsReceive) {
+  divide(clusters, wallsReceive);
+  const auto nThreads = static_cast<std::size_t>(omp_get_max_threads());
+  if (searches_.size() < nThreads) searches_.resize(nThreads);
+  // Boxes of all possible chunks, walls included: what a chunk's search begins with.
+  const SearchGroups<Dim> groups(clusters, chunkSize_);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::size_t c = 0; c < nChunks_; ++c)
+    searches_[static_cast<std::size_t>(omp_get_thread_num())].run(positions, clusters, groups,
+                                                                  domain, radius, wallsReceive,
+                                                                  chunks_[c]);
+  linkHalos(clusters);
+}
+
+/// Gives every halo its place among the sums, and every chunk the list of sums to fetch.
+template <int Dim>
+void TileList<Dim>::linkHalos(const Clusters<Dim>& clusters) {
+  std::size_t place = clusters.nClusters;
+  firstAddition_.assign(nChunks_ + 1, 0);
+  for (std::size_t c = 0; c < nChunks_; ++c) {
+    chunks_[c].firstHalo = static_cast<std::uint32_t>(place);
+    place += chunks_[c].halo.size();
+    for (const std::uint32_t cluster : chunks_[c].halo) ++firstAddition_[chunkOf(cluster) + 1];
+  }
+  nSumPlaces_ = place;
+  for (std::size_t c = 0; c < nChunks_; ++c) firstAddition_[c + 1] += firstAddition_[c];
+  additions_.resize(place - clusters.nClusters);
+  std::vector<std::size_t> next(firstAddition_.begin(), firstAddition_.end() - 1);
+  for (std::size_t c = 0; c < nChunks_; ++c) {
+    std::uint32_t from = chunks_[c].firstHalo;
+    for (const std::uint32_t cluster : chunks_[c].halo)
+      additions_[next[chunkOf(cluster)]++] = {cluster, from++};
+    for (LocalCluster<Dim>& local : chunks_[c].locals)
+      if (local.sums >= inHalo) local.sums = chunks_[c].firstHalo + (local.sums - inHalo);
+  }
+}
+
+template <int Dim>
+std::size_t TileList<Dim>::nTiles() const {
+  std::size_t n = 0;
+  for (const auto& chunk : chunks()) n += chunk.tiles.size();
+  return n;
+}
+
+template <int Dim>
+std::size_t TileList<Dim>::bytes() const {
+  std::size_t sum = additions_.capacity() * sizeof(Addition);
+  for (const auto& chunk : chunks_)
+    sum += chunk.counts.capacity() * sizeof(TileCounts) + chunk.tiles.capacity() * 4 +
+           chunk.locals.capacity() * sizeof(LocalCluster<Dim>) + chunk.halo.capacity() * 4;
+  return sum;
+}
+
+template struct Clusters<1>;
+template struct Clusters<2>;
+template struct Clusters<3>;
+template class TileList<1>;
+template class TileList<2>;
+template class TileList<3>;
+
+}  // namespace plenum

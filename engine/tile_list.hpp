@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Who is near whom, in units of clusters: eight consecutive particles each, in the order of
+// SpatialOrder. A tile is half a cluster of receivers against a whole cluster of neighbours.
+#pragma once
+
+#include "engine/spatial_order.hpp"
+#include "particles/box.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace plenum {
+
+/// Where the clusters are: those of fluids first, then those of walls, each group padded to whole
+/// clusters.
+template <int Dim>
+struct Clusters {
+  std::size_t nParticles = 0, nFluid = 0;
+  std::size_t nFluidClusters = 0, nClusters = 0;
+  std::vector<Vec<Dim>> origin;           ///< centres of the boxes [m]; length nClusters
+  std::vector<Vec<Dim, float>> halfSize;  ///< of the boxes [m]; length nClusters
+
+  std::size_t firstOf(std::size_t cluster) const {
+    return cluster < nFluidClusters ? cluster * clusterSize
+                                    : nFluid + (cluster - nFluidClusters) * clusterSize;
+  }
+  std::size_t endOf(std::size_t cluster) const {
+    const std::size_t end = cluster < nFluidClusters ? nFluid : nParticles;
+    return std::min(end, firstOf(cluster) + clusterSize);
+  }
+  /// Place of a particle when every cluster has eight.
+  std::size_t slotOf(std::size_t particle) const {
+    return particle < nFluid ? particle : nFluidClusters * clusterSize + (particle - nFluid);
+  }
+
+  void build(std::span<const Vec<Dim>> positions, std::size_t nFluid);
+  std::size_t bytes() const {
+    return origin.capacity() * sizeof(Vec<Dim>) + halfSize.capacity() * sizeof(Vec<Dim, float>);
+  }
+};
+
+/// A cluster as a chunk sees it.
+template <int Dim>
+struct LocalCluster {
+  Vec<Dim> origin;        ///< relative to the chunk, periodic image included [m]
+  std::uint32_t cluster;  ///< whose fields
+  std::uint32_t sums;     ///< place of its sums: the cluster itself, or one of the chunk's halo
+};
+
+/// How many tiles half a cluster has, in the order of the list, and how many of each kind come
+/// first because they hold a pair within the support now. A neighbour cluster with a larger number
+/// than the receivers' gets the sums of the same tile, so that each pair is computed once.
+struct TileCounts {
+  std::uint16_t self = 0;   ///< with its own cluster: only the receivers get sums
+  std::uint16_t fluid = 0;  ///< with clusters of fluid
+  std::uint16_t wall = 0;   ///< with clusters of walls
+  std::uint16_t nearSelf = 0, nearFluid = 0, nearWall = 0;
+
+  std::uint32_t all() const { return std::uint32_t{self} + fluid + wall; }
+};
+
+/// The tiles of consecutive clusters: the unit of work of a thread.
+template <int Dim>
+struct TileChunk {
+  std::uint32_t firstCluster = 0, nClusters = 0;
+  std::vector<TileCounts> counts;         ///< two a cluster
+  std::vector<std::uint32_t> tiles;       ///< indices into `locals`
+  std::vector<LocalCluster<Dim>> locals;  ///< the chunk's own clusters first
+  std::vector<std::uint32_t> halo;        ///< clusters of other chunks that get sums from this one
+  std::uint32_t firstHalo = 0;            ///< place of the first of them among all sums
+};
+
+template <int Dim>
+class TileList {
+ public:
+  TileList();
+  ~TileList();
+  TileList(TileList&&) noexcept;
+  TileList& operator=(TileList&&) noexcept;
+
+  /// All tiles with a pair closer than `radius` [m].
+  void build(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
+             const Box<Dim>& domain, double radius, bool wallsReceive);
+
+  std::span<const TileChunk<Dim>> chunks() const { return {chunks_.data(), nChunks_}; }
+  std::span<TileChunk<Dim>> chunks() { return {chunks_.data(), nChunks_}; }
+  std::size_t nFluidChunks() const { return nFluidChunks_; }
+
+  /// Places that sums need: one a cluster, then the halos of the chunks.
+  std::size_t nSumPlaces() const { return nSumPlaces_; }
+
+  /// Sums of `from` that other chunks hold: to be added to those of `to`, in this order.
+  struct Addition {
+    std::uint32_t to, from;
+  };
+  std::span<const Addition> additionsTo(std::size_t chunk) const {
+    return {additions_.data() + firstAddition_[chunk],
+            firstAddition_[chunk + 1] - firstAddition_[chunk]};
+  }
+
+  std::size_t nTiles() const;
+  std::size_t bytes() const;
+
+ private:
+  struct Search;
+
+  void divide(const Clusters<Dim>& clusters, bool wallsReceive);
+  void linkHalos(const Clusters<Dim>& clusters);
+  std::size_t chunkOf(std::size_t cluster) const;
+
+  std::vector<TileChunk<Dim>> chunks_;
+  std::size_t nChunks_ = 0, nFluidChunks_ = 0, nFluidClusters_ = 0;
+  std::size_t chunkSize_ = 1;  // clusters
+  std::size_t nSumPlaces_ = 0;
+  std::vector<Addition> additions_;
+  std::vector<std::size_t> firstAddition_;
+  std::vector<Search> searches_;  // one a thread
+};
+
+extern template class TileList<1>;
+extern template class TileList<2>;
+extern template class TileList<3>;
+extern template struct Clusters<1>;
+extern template struct Clusters<2>;
+extern template struct Clusters<3>;
+
+}  // namespace plenum

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a loop over tiles gets: plain pointers only, because the loop may be compiled for a newer
+// processor than the rest of the program, and nothing that both compile may be shared.
+#pragma once
+
+#include "engine/tile_list.hpp"
+
+namespace plenum {
+
+/// The tiles of a chunk, and the numbers of all clusters. In a block, the `clusterSize` numbers of
+/// one component follow each other.
+template <int Dim, class T>
+struct TileWork {
+  TileCounts* counts;   ///< of half clusters, first those of `firstCluster`
+  std::uint32_t* tiles;  ///< the near ones of each kind come first
+  const LocalCluster<Dim>* locals;
+  std::uint32_t firstCluster, nClusters;
+  const T* positions;  ///< [cluster][axis][particle], relative to the cluster's origin [m]
+  const T* fields;     ///< [cluster][component][particle], what the pass reads
+  T* sums;             ///< [place][component][particle], what the pass writes
+  bool fluidTiles;     ///< sums from fluids are asked for
+  bool wallTiles;      ///< tiles with walls are needed
+  bool fromWalls;      ///< the receivers get their sums
+  bool toWalls;        ///< the walls get theirs
+};
+
+/// Adds the sums of a chunk's near tiles to `work.sums`. `pass` is what the function was made for.
+template <int Dim, class T>
+using TileFunction = void (*)(const TileWork<Dim, T>& work, const void* pass);
+
+/// Moves the tiles that hold a pair closer than `radius` [m] to the front of their kind, and counts
+/// them. `work` has positions and tiles.
+template <class Isa, class T, int Dim>
+void findNearTiles(const TileWork<Dim, T>& work, double radius);
+
+}  // namespace plenum
