@@ -1,70 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// What a whole step costs on one core, sorting and search included, in a gas that moves: the
-// particles start on a jittered lattice with random velocities of a tenth of the sound speed.
-//   build/release/bench/plenum-bench --benchmark_repetitions=5
+#include "bench/scenes.hpp"
 #include "solver/simulation.hpp"
-#include "tests/support/jittered_scene.hpp"
 
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
+#include <cstdio>
 #include <ctime>
 
-namespace plenum {
+namespace plenum::bench {
 namespace {
 
-/// Pairs within the support, each counted for both of its particles.
 template <int Dim>
-std::size_t countInteractions(const Simulation<Dim>& simulation) {
-  const auto& engine = simulation.engine();
-  const auto x = simulation.particles()[field::position];
-  const double supportSquared = engine.support() * engine.support();
-  std::size_t n = 0;
-  for (const auto& block : engine.neighbours().blocks())
-    for (std::size_t i = block.first; i < block.last; ++i)
-      for (const auto j : engine.neighbours().allOf(block, i))
-        n += normSquared(engine.periodicity().nearestImage(x[i] - x[j])) < supportSquared;
-  return n;
+void run(bool dam, std::size_t n, const char* precision, int threads, int steps) {
+  omp_set_num_threads(threads);
+  SolverSettings s = dam ? damBreakSettings(Dim) : quietGasSettings(Dim);
+  s.precision = precision;
+  Scene<Dim> scene = dam ? damBreak<Dim>(n, 2 * s.smoothingLength) : quietGas<Dim>(n);
+  if (dam) scene.info.walls[0].thickness = 100;
+  Simulation<Dim> sim(std::move(scene), s);
+  for (int k = 0; k < 5; ++k) sim.step(sim.maxTimeStep());
+  sim.engine().stopwatch().reset();
+  const auto rebuilds = sim.engine().nRebuilds();
+  const std::clock_t c = std::clock();
+  timespec a, b;
+  clock_gettime(CLOCK_MONOTONIC, &a);
+  for (int k = 0; k < steps; ++k) sim.step(sim.maxTimeStep());
+  const double cpu = double(std::clock() - c) / CLOCKS_PER_SEC;
+  clock_gettime(CLOCK_MONOTONIC, &b);
+  const double wall = (b.tv_sec - a.tv_sec) + 1e-9 * (b.tv_nsec - a.tv_nsec);
+  const double nf = double(sim.particles().nFluid()), na = double(sim.particles().size());
+  std::printf(
+      "%d-D %s %s n=%.0f+%.0f thr %d: %.2f M fluid/s (%.2f M all/s) wall %.2f; rebuild every %.1f; "
+      "bytes %.0f;",
+      Dim, dam ? "dam" : "gas", precision, nf, na - nf, threads, nf * steps / cpu * 1e-6,
+      na * steps / cpu * 1e-6, nf * steps / wall * 1e-6,
+      double(steps) / (sim.engine().nRebuilds() - rebuilds), sim.bytesPerParticle());
+  for (int p = 0; p < int(Part::count); ++p)
+    std::printf(" %s %.1f", partNames[p].data(),
+                sim.engine().stopwatch().seconds(Part(p)) / steps / na * 1e9);
+  std::printf(" ns/p\n");
+  std::fflush(stdout);
 }
-
-template <int Dim>
-void wholeStep(benchmark::State& state, const std::string& density) {
-  omp_set_num_threads(1);
-  SolverSettings settings;
-  settings.density = density;
-  settings.viscosity = ViscositySettings{MonaghanSettings{0.1, 0}};
-  const int perAxis = Dim == 2 ? 316 : 46;  // 99,856 and 97,336 particles
-  Simulation<Dim> simulation(test::jitteredScene<Dim>(perAxis, true, 0.2, 1.0), settings);
-  const double dt = 0.3 * simulation.smoothingLength() / settings.soundSpeed;
-  for (int k = 0; k < 3; ++k) simulation.step(dt);
-  const std::size_t rebuilds = simulation.engine().nRebuilds();
-  const std::clock_t start = std::clock();  // processor time: the machine may be shared
-  for (auto _ : state) simulation.step(dt);
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-
-  const auto n = static_cast<double>(simulation.particles().size());
-  const auto interactions = static_cast<double>(countInteractions(simulation));
-  const auto nSteps = static_cast<double>(state.iterations());
-  state.counters["updates_per_s"] = n * nSteps / seconds;
-  state.counters["ns_per_interaction"] = 1e9 * seconds / (interactions * nSteps);
-  state.counters["neighbours"] = interactions / n;
-  state.counters["searches_per_step"] =
-      static_cast<double>(simulation.engine().nRebuilds() - rebuilds) / nSteps;
-  state.counters["bytes_per_particle"] = simulation.bytesPerParticle();
-}
-
-template <int Dim>
-void registerSteps() {
-  for (const std::string density : {"summation", "continuity"}) {
-    const std::string name = "whole_step/" + std::to_string(Dim) + "-D/" + density;
-    benchmark::RegisterBenchmark(name.c_str(), wholeStep<Dim>, density)
-        ->Unit(benchmark::kMillisecond)
-        ->Iterations(12);
-  }
-}
-
-const bool registered = (registerSteps<2>(), registerSteps<3>(), true);
 
 }  // namespace
-}  // namespace plenum
+}  // namespace plenum::bench
+
+int main(int argc, char** argv) {
+  using namespace plenum::bench;
+  const std::size_t n = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100000;
+  const int t = argc > 2 ? atoi(argv[2]) : 1;
+  for (const char* p : {"mixed", "double"})
+    for (bool dam : {true, false}) {
+      run<2>(dam, n, p, t, 30);
+      run<3>(dam, n, p, t, 15);
+    }
+}

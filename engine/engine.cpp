@@ -34,8 +34,11 @@ Engine<Dim>::Engine(const Box<Dim>& domain, const Options& options)
 template <int Dim>
 bool Engine<Dim>::update(ParticleSet<Dim>& particles) {
   const bool isNew = clusters_.nParticles != particles.size() || nRebuilds_ == 0;
-  const bool search = isNew || !(travelled_ < 0.5 * usableSkin_);
-  if (search) rebuild(particles);
+  const bool old = isNew || !(travelled_ < 0.5 * usableSkin_);
+  if (old) {
+    sort(particles);
+    search(particles);
+  }
   if (options_.precision == Precision::mixed) {
     loadPositions(inFloat_, particles);
     findNear(inFloat_);
@@ -43,11 +46,12 @@ bool Engine<Dim>::update(ParticleSet<Dim>& particles) {
     loadPositions(inDouble_, particles);
     findNear(inDouble_);
   }
-  return search;
+  return old;
 }
 
 template <int Dim>
-void Engine<Dim>::rebuild(ParticleSet<Dim>& particles) {
+void Engine<Dim>::sort(ParticleSet<Dim>& particles) {
+  const auto sorting = watch_.lap(Part::sort);
   const auto positions = particles[field::position];
   const std::size_t n = positions.size(), nFluid = particles.nFluid();
   forEachIndex(n, [&](std::size_t i) { positions[i] = domain_.wrap(positions[i]); });
@@ -59,8 +63,13 @@ void Engine<Dim>::rebuild(ParticleSet<Dim>& particles) {
       wallOrder_.order(), order_.begin() + static_cast<std::ptrdiff_t>(nFluid),
       [nFluid](std::uint32_t k) { return static_cast<std::uint32_t>(nFluid + k); });
   particles.permute(order_);
+}
 
-  const auto sorted = std::as_const(particles)[field::position];
+template <int Dim>
+void Engine<Dim>::search(const ParticleSet<Dim>& particles) {
+  const auto searching = watch_.lap(Part::search);
+  const std::size_t nFluid = particles.nFluid();
+  const auto sorted = particles[field::position];
   clusters_.build(sorted, nFluid);
   list_.build(sorted, clusters_, domain_, options_.support + skin_, options_.wallsReceive);
   travelled_ = 0;
@@ -80,6 +89,7 @@ template <int Dim>
 template <class T>
 void Engine<Dim>::loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& particles) {
   const auto positions = particles[field::position];
+  const auto loading = watch_.lap(Part::load);
   numbers.positions.resize(clusters_.nClusters * Dim * clusterSize);
   // Places without a particle lie so far away that no kernel reaches them.
   const double away = 1e4 * options_.support;
@@ -102,6 +112,7 @@ template <int Dim>
 template <class T>
 void Engine<Dim>::loadFields(Numbers<T>& numbers, FieldSet reads,
                              const ParticleSet<Dim>& particles) {
+  const auto loading = watch_.lap(Part::load);
   const std::size_t block = static_cast<std::size_t>(componentsOf<Dim>(reads)) * clusterSize;
   numbers.fields.resize(clusters_.nClusters * block);
   std::size_t first = 0;
@@ -144,6 +155,7 @@ TileWork<Dim, T> Engine<Dim>::workOf(Numbers<T>& numbers, TileChunk<Dim>& chunk)
 template <int Dim>
 template <class T>
 void Engine<Dim>::findNear(Numbers<T>& numbers) {
+  const auto searching = watch_.lap(Part::search);
   const auto find = withInstructionSet(
       instructionSet(), [](auto isa) { return &findNearTiles<decltype(isa), T, Dim>; });
   const auto chunks = list_.chunks();
@@ -166,16 +178,15 @@ void Engine<Dim>::run(const PairPass<Dim>& pass, const ParticleSet<Dim>& particl
 
 template <int Dim>
 template <class T>
-void Engine<Dim>::run(Numbers<T>& numbers, const PairPass<Dim>& pass,
-                      TileFunction<Dim, T> function, const ParticleSet<Dim>& particles) {
+void Engine<Dim>::run(Numbers<T>& numbers, const PairPass<Dim>& pass, TileFunction<Dim, T> function,
+                      const ParticleSet<Dim>& particles) {
   loadFields(numbers, pass.reads, particles);
+  const auto summing = watch_.lap(Part::pairs);
   const std::size_t block = static_cast<std::size_t>(componentsOf<Dim>(pass.writes)) * clusterSize;
   numbers.sums.resize(list_.nSumPlaces() * block);
   const auto chunks = list_.chunks();
   const std::size_t nFluidChunks = list_.nFluidChunks();
-  const auto isPartOf = [&](std::size_t c) {
-    return c < nFluidChunks || hasWalls(pass.receivers);
-  };
+  const auto isPartOf = [&](std::size_t c) { return c < nFluidChunks || hasWalls(pass.receivers); };
 
 #pragma omp parallel
   {

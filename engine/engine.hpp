@@ -6,6 +6,7 @@
 #include "engine/pair_pass.hpp"
 #include "engine/periodicity.hpp"
 #include "engine/spatial_order.hpp"
+#include "engine/stopwatch.hpp"
 #include "engine/tile_list.hpp"
 #include "particles/particle_set.hpp"
 
@@ -29,10 +30,10 @@ class SumView {
 
   ValueOf<R, Dim> operator[](std::size_t i) const {
     const std::size_t slot = clusters_->slotOf(i);
-    const std::size_t place = (slot / clusterSize * static_cast<std::size_t>(nOut_) +
-                               static_cast<std::size_t>(first_)) *
-                                  clusterSize +
-                              slot % clusterSize;
+    const std::size_t place =
+        (slot / clusterSize * static_cast<std::size_t>(nOut_) + static_cast<std::size_t>(first_)) *
+            clusterSize +
+        slot % clusterSize;
     if constexpr (R == Rank::vector) {
       Vec<Dim> value;
       for (int a = 0; a < Dim; ++a)
@@ -97,6 +98,9 @@ class Engine {
   const TileList<Dim>& tiles() const { return list_; }
   std::size_t bytes() const;
 
+  /// Where the time of the steps went; whoever moves the particles counts its part, too.
+  Stopwatch& stopwatch() { return watch_; }
+
  private:
   /// What pairs are computed from and to, in clusters.
   template <class T>
@@ -106,7 +110,8 @@ class Engine {
     AlignedVector<T> sums;
   };
 
-  void rebuild(ParticleSet<Dim>& particles);
+  void sort(ParticleSet<Dim>& particles);
+  void search(const ParticleSet<Dim>& particles);
   template <class T>
   void loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& particles);
   template <class T>
@@ -124,7 +129,7 @@ class Engine {
   Periodicity<Dim> periodicity_;
   double skin_ = 0;        // [m]
   double usableSkin_ = 0;  // of the present list [m]
-  double travelled_ = 0;  // since the last search [m]
+  double travelled_ = 0;   // since the last search [m]
   SpatialOrder<Dim> fluidOrder_, wallOrder_;
   std::vector<std::uint32_t> order_;
   Clusters<Dim> clusters_;
@@ -133,6 +138,7 @@ class Engine {
   Numbers<double> inDouble_;
   FieldSet written_;
   std::size_t nRebuilds_ = 0;
+  Stopwatch watch_;
 };
 
 extern template class Engine<1>;

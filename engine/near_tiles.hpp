@@ -21,8 +21,8 @@ class NearTiles {
     std::uint32_t* tile = work_.tiles;
     for (std::uint32_t half = 0; half < 2 * work_.nClusters; ++half) {
       TileCounts& count = work_.counts[half];
-      const T* block =
-          work_.positions + std::size_t{work_.firstCluster + half / 2} * Dim * n + half % 2 * nReceivers;
+      const T* block = work_.positions + std::size_t{work_.firstCluster + half / 2} * Dim * n +
+                       half % 2 * nReceivers;
       Real x[nReceivers][Dim];
       for (int c = 0; c < nReceivers; ++c)
         for (int a = 0; a < Dim; ++a) x[c][a] = Real(block[a * n + c]);

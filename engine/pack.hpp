@@ -30,7 +30,7 @@ struct Pack {
 
   [[gnu::always_inline]] Pack() : raw{} {}
   template <class Number>
-    requires std::is_arithmetic_v<Number>
+  requires std::is_arithmetic_v<Number>
   [[gnu::always_inline]] explicit Pack(Number s) : raw(static_cast<T>(s) - Raw{}) {}
   [[gnu::always_inline]] static Pack of(Raw raw) {
     Pack p;

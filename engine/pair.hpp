@@ -114,12 +114,10 @@ struct Pair {
   Real h;                ///< smoothing length [m]
   Real W;
   Real F;
-  Real velocityDotR_;
+  Real velocityDotR;  ///< v_ij . r_ij [m^2/s]; negative for approaching particles
 
-  /// v_ij . r_ij [m^2/s]; negative for approaching particles.
-  [[gnu::always_inline]] Real velocityDotR() const { return velocityDotR_; }
   /// v_ij . grad_i W_ij [m^-d s^-1]
-  [[gnu::always_inline]] Real velocityDotGradW() const { return F * velocityDotR_; }
+  [[gnu::always_inline]] Real velocityDotGradW() const { return F * velocityDotR; }
   /// grad_i W_ij [m^-(d+1)]
   [[gnu::always_inline]] GradW gradW() const { return {}; }
 };

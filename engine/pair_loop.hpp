@@ -121,7 +121,8 @@ class TileLoop {
     for (std::uint32_t k = 0; k < nTiles; ++k) {
       const LocalCluster<Dim>& local = work_.locals[tiles[k]];
       for (int part = 0; part < n; part += lanes) {
-        Particle neighbour = particle(local.cluster, [&](const T* x) { return Real::load(x + part); });
+        Particle neighbour =
+            particle(local.cluster, [&](const T* x) { return Real::load(x + part); });
         for (int a = 0; a < Dim; ++a)
           neighbour.position[a] += Real(static_cast<T>(local.origin[a] - origin[a]));
         Totals back;

@@ -113,8 +113,8 @@ void SpatialOrder<Dim>::pack(std::span<const Vec<Dim>> points, std::size_t first
     const double length = box.upper[a] - box.lower[a];
     const std::size_t nGroups = (n + groupSize - 1) / groupSize;
     // About one point a bin in the finest case.
-    const auto nBins = static_cast<std::uint32_t>(
-        std::clamp<std::size_t>(a == 0 ? 1024 : groupSize, 16, 4096));
+    const auto nBins =
+        static_cast<std::uint32_t>(std::clamp<std::size_t>(a == 0 ? 1024 : groupSize, 16, 4096));
     const double binsPerLength = length > 0 ? nBins / length : 0;
     for (std::size_t k = 0; k < n; ++k) {
       const auto group = static_cast<std::uint32_t>(k / groupSize);

@@ -78,9 +78,8 @@ void TileList<Dim>::build(std::span<const Vec<Dim>> positions, const Clusters<Di
   const SearchGroups<Dim> groups(clusters, chunkSize_);
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t c = 0; c < nChunks_; ++c)
-    searches_[static_cast<std::size_t>(omp_get_thread_num())].run(positions, clusters, groups,
-                                                                  domain, radius, wallsReceive,
-                                                                  chunks_[c]);
+    searches_[static_cast<std::size_t>(omp_get_thread_num())].run(
+        positions, clusters, groups, domain, radius, wallsReceive, chunks_[c]);
   linkHalos(clusters);
 }
 

@@ -5,15 +5,16 @@
 // which have a particle near half a cluster.
 #pragma once
 
-#include "engine/tile_list.hpp"
 #include <algorithm>
+#include "engine/tile_list.hpp"
 
 #include <cmath>
 #include <limits>
 
 namespace plenum {
 
-inline constexpr std::uint32_t inHalo = 1u << 31;  ///< added to LocalCluster::sums until places are known
+inline constexpr std::uint32_t inHalo =
+    1u << 31;  ///< added to LocalCluster::sums until places are known
 
 template <int Dim>
 Box<Dim> boxOf(std::span<const Vec<Dim>> points) {
@@ -27,9 +28,7 @@ Box<Dim> boxOf(std::span<const Vec<Dim>> points) {
 }
 
 /// A float that is not smaller than `length`.
-inline float roundedUp(double length) {
-  return static_cast<float>(length * (1 + 1e-6));
-}
+inline float roundedUp(double length) { return static_cast<float>(length * (1 + 1e-6)); }
 
 /// Boxes of runs of clusters.
 template <int Dim>
@@ -82,8 +81,8 @@ struct BoxArrays {
   }
 
   /// Appends to `near` the places in [first, size()) whose boxes are closer than `radius` to a box.
-  void findNear(const Vec<Dim, float>& c, const Vec<Dim, float>& h, float radius,
-                std::size_t first, std::vector<std::uint32_t>& near) {
+  void findNear(const Vec<Dim, float>& c, const Vec<Dim, float>& h, float radius, std::size_t first,
+                std::vector<std::uint32_t>& near) {
     const std::size_t n = size();
     distance_.resize(n);
     float* const distance = distance_.data();
@@ -200,8 +199,8 @@ class TileSearch {
   bool isNear(const Vec<Dim>& center, const Vec<Dim>& half) const {
     double distanceSquared = 0;
     for (int a = 0; a < Dim; ++a) {
-      const double gap = std::max({box_.lower[a] - center[a] - half[a],
-                                   center[a] - half[a] - box_.upper[a], 0.0});
+      const double gap =
+          std::max({box_.lower[a] - center[a] - half[a], center[a] - half[a] - box_.upper[a], 0.0});
       distanceSquared += gap * gap;
     }
     return distanceSquared < radius_ * radius_;

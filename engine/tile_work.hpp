@@ -12,7 +12,7 @@ namespace plenum {
 /// one component follow each other.
 template <int Dim, class T>
 struct TileWork {
-  TileCounts* counts;   ///< of half clusters, first those of `firstCluster`
+  TileCounts* counts;    ///< of half clusters, first those of `firstCluster`
   std::uint32_t* tiles;  ///< the near ones of each kind come first
   const LocalCluster<Dim>* locals;
   std::uint32_t firstCluster, nClusters;

@@ -96,8 +96,8 @@ constexpr void withLoopProfile(int id, Visit&& visit) {
 
 /// What a loop was chosen for.
 struct PassChoice {
-  int kernel = 0;     ///< place in kernel::forEachProfile
-  int termList = 0;   ///< place in forEachTermList
+  int kernel = 0;    ///< place in kernel::forEachProfile
+  int termList = 0;  ///< place in forEachTermList
   double smoothingLength = 0;
   AllTerms terms;
 };

@@ -8,8 +8,7 @@ namespace plenum {
 namespace {
 
 template <int Dim, class... Terms>
-PairPass<Dim> makePass(PassChoice choice, TermList<Terms...> list, Group receivers,
-                       Group sources) {
+PairPass<Dim> makePass(PassChoice choice, TermList<Terms...> list, Group receivers, Group sources) {
   choice.termList = indexOf<TermList<Terms...>>();
   PairPass<Dim> pass;
   pass.reads = list.reads;
@@ -60,18 +59,16 @@ StepPasses<Dim> selectPasses(const SolverSettings& settings, double spacing, boo
                                                    settings.collisions->range * spacing};
   StepPasses<Dim> passes;
   const Group receivers = hasWalls && settings.wallsEvolve() ? Group::all : Group::fluids;
-  passes.density =
-      settings.density == "summation"
-          ? makePass<Dim>(choice, TermList<term::DensitySum>{}, receivers, Group::all)
-          : makePass<Dim>(choice, TermList<term::Continuity>{}, receivers, Group::all);
+  passes.density = settings.density == "summation"
+                       ? makePass<Dim>(choice, TermList<term::DensitySum>{}, receivers, Group::all)
+                       : makePass<Dim>(choice, TermList<term::Continuity>{}, receivers, Group::all);
   passes.forces = forcePass<Dim>(choice, settings);
   if (settings.collisions) {
     const std::string& pairs = settings.collisions->pairs;
     const Group sources = pairs == "fluid"  ? Group::fluids
                           : pairs == "wall" ? Group::walls
                                             : Group::all;
-    passes.collisions =
-        makePass<Dim>(choice, TermList<term::Collision>{}, Group::fluids, sources);
+    passes.collisions = makePass<Dim>(choice, TermList<term::Collision>{}, Group::fluids, sources);
   }
   return passes;
 }

@@ -104,6 +104,7 @@ std::size_t Simulation<Dim>::nDensityReceivers() const {
 template <int Dim>
 void Simulation<Dim>::updateDensity(double dt) {
   engine_.run(passes_.density, scene_.particles);
+  const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const auto density = scene_.particles[field::density];
   if (passes_.density.writes.has(field::density)) {
     const auto sums = engine_.sums(field::density);
@@ -120,6 +121,7 @@ void Simulation<Dim>::updateDensity(double dt) {
 
 template <int Dim>
 void Simulation<Dim>::updatePressure() {
+  const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const std::size_t nFluid = scene_.particles.nFluid();
   const auto density = std::as_const(scene_.particles)[field::density];
   const auto pressure = scene_.particles[field::pressure];
@@ -158,6 +160,7 @@ void Simulation<Dim>::fail(const char* what, std::size_t i) const {
 
 template <int Dim>
 void Simulation<Dim>::kick(double dt) {
+  const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const auto velocity = scene_.particles[field::velocity];
   const auto acceleration = engine_.sums(field::acceleration);
   requireSound("the force is not finite", [&](std::size_t i) {
@@ -187,6 +190,7 @@ void Simulation<Dim>::collide() {
 
 template <int Dim>
 void Simulation<Dim>::drift(double dt) {
+  const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const auto position = scene_.particles[field::position];
   const auto velocity = scene_.particles[field::velocity];
   forEachIndex(scene_.particles.nFluid(), [&](std::size_t i) {

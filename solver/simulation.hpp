@@ -37,6 +37,7 @@ class Simulation {
   const SceneInfo<Dim>& info() const { return scene_.info; }
   const ParticleSet<Dim>& particles() const { return scene_.particles; }
   const Engine<Dim>& engine() const { return engine_; }
+  Engine<Dim>& engine() { return engine_; }
   const SolverSettings& settings() const { return settings_; }
   const MaterialTable& materials() const { return materials_; }
   Vec<Dim> gravity() const { return gravity_; }

@@ -79,7 +79,7 @@ struct MonaghanViscosity {
     const Real meanDensity = Real(0.5) * (ij.i.density + ij.j.density);
     const Real softened = ij.distanceSquared + Real(0.01) * ij.h * ij.h;
     const Real muOverDensity =
-        ij.h * negativePart(ij.velocityDotR()) / (softened * meanDensity);
+        ij.h * negativePart(ij.velocityDotR) / (softened * meanDensity);
     const Real mu = muOverDensity * meanDensity;
     const Real Pi = muOverDensity * (Real(beta) * mu - Real(alpha * soundSpeed));
     i.acceleration -= ij.j.mass * Pi * ij.gradW();
@@ -101,7 +101,7 @@ struct Collision {
   [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
     const Real tiny = Real(1e-12 * range * range);  // coincident particles do not collide
     const Real approach =
-        select(ij.distanceSquared < Real(range * range), negativePart(ij.velocityDotR()), Real(0));
+        select(ij.distanceSquared < Real(range * range), negativePart(ij.velocityDotR), Real(0));
     i.velocityChange -= ij.j.mass / (ij.i.mass + ij.j.mass) * Real(1 + restitution) * approach /
                         max(ij.distanceSquared, tiny) * ij.r;
   }

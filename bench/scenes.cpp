@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/scenes.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace plenum::bench {
+
+namespace {
+
+constexpr double soundSpeed = 100, density = 1000, gravity = 10;
+
+/// Points of a hexagonal (2-D) or hcp (3-D) lattice with distance 1 in [lower, upper).
+template <int Dim>
+std::vector<Vec<Dim>> lattice(const Vec<Dim>& lower, const Vec<Dim>& upper) {
+  const double dy = std::sqrt(0.75), dz = std::sqrt(2.0 / 3);
+  std::vector<Vec<Dim>> points;
+  const auto count = [](double length, double step) {
+    return std::max(1L, std::lround(length / step));
+  };
+  const long nx = count(upper[0] - lower[0], 1), ny = count(upper[1] - lower[1], dy);
+  const long nz = Dim == 3 ? count(upper[Dim - 1] - lower[Dim - 1], dz) : 1;
+  for (long k = 0; k < nz; ++k)
+    for (long j = 0; j < ny; ++j)
+      for (long i = 0; i < nx; ++i) {
+        Vec<Dim> x = lower;
+        x[0] += static_cast<double>(i) + 0.5 * static_cast<double>((j + k) & 1) + 0.25;
+        x[1] += (static_cast<double>(j) + static_cast<double>(k & 1) / 3 + 0.25) * dy;
+        if constexpr (Dim == 3) x[2] += (static_cast<double>(k) + 0.5) * dz;
+        points.push_back(x);
+      }
+  return points;
+}
+
+template <int Dim>
+double particleVolume() {
+  return Dim == 2 ? std::sqrt(0.75) : std::sqrt(0.5);
+}
+
+template <int Dim>
+Scene<Dim> sceneOf(const std::vector<Vec<Dim>>& fluid, const std::vector<Vec<Dim>>& walls) {
+  Scene<Dim> scene;
+  FieldSet fields{field::position, field::velocity, field::mass,    field::density,
+                  field::pressure, field::id,       field::material};
+  if (!walls.empty()) fields |= {field::wall, field::normal, field::wallDistance};
+  scene.particles = ParticleSet<Dim>(fields, fluid.size(), walls.size());
+  ParticleSet<Dim>& p = scene.particles;
+  const auto position = p[field::position];
+  std::ranges::copy(fluid, position.begin());
+  std::ranges::copy(walls, position.begin() + static_cast<std::ptrdiff_t>(fluid.size()));
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    p[field::mass][i] = density * particleVolume<Dim>();
+    p[field::density][i] = density;
+    p[field::id][i] = i < fluid.size() ? walls.size() + i : i - fluid.size();
+  }
+  scene.info.spacing = 1;
+  scene.info.materials.push_back({"fluid", density});
+  return scene;
+}
+
+}  // namespace
+
+template <int Dim>
+Scene<Dim> damBreak(std::size_t n, double support) {
+  // A column twice as high as wide in 2-D, a cube in 3-D, in a tank twice as long.
+  const double volume = static_cast<double>(n) * particleVolume<Dim>();
+  Vec<Dim> size;
+  if constexpr (Dim == 2)
+    size = {{std::sqrt(volume / 2), std::sqrt(2 * volume)}};
+  else
+    size = Vec<Dim>::filled(std::cbrt(volume));
+  constexpr int up = Dim - 1;
+  const double layers = std::ceil(support) + 1;
+  Vec<Dim> lower, upper = size, outerLower, outerUpper = size;
+  upper[0] = 2 * size[0];
+  for (int a = 0; a < Dim; ++a) {
+    outerLower[a] = lower[a] - layers;
+    outerUpper[a] = upper[a] + layers;
+  }
+  std::vector<Vec<Dim>> fluid, walls;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> jitter(-0.1, 0.1);
+  for (Vec<Dim> x : lattice<Dim>(outerLower, outerUpper)) {
+    bool inside = x[up] >= 0, inFluid = true;
+    for (int a = 0; a < Dim; ++a) {
+      if (a != up) inside &= x[a] >= 0 && x[a] < upper[a];
+      inFluid &= x[a] >= 0 && x[a] < size[a];
+    }
+    if (!inside && (x[up] < 0 || x[up] < size[up] + layers)) walls.push_back(x);
+    if (inside && inFluid) {
+      for (int a = 0; a < Dim; ++a) x[a] += jitter(random);
+      fluid.push_back(x);
+    }
+  }
+  Scene<Dim> scene = sceneOf<Dim>(fluid, walls);
+  scene.info.domain.lower = outerLower;
+  scene.info.domain.upper = outerUpper;
+  scene.info.domain.upper[up] = 2 * size[up];
+  scene.info.walls.push_back({});
+  scene.info.walls.back().density = density;
+  const auto velocity = scene.particles[field::velocity];
+  const auto position = scene.particles[field::position];
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    // The flow of a collapse: down and out, fastest at the foot of the front; and some disorder.
+    const double speed = 0.1 * soundSpeed * position[i][0] / size[0];
+    velocity[i][0] = speed * (1 - 0.5 * position[i][up] / size[up]);
+    velocity[i][up] = -0.1 * soundSpeed * position[i][up] / size[up];
+    for (int a = 0; a < Dim; ++a) velocity[i][a] += 0.1 * soundSpeed * jitter(random);
+  }
+  return scene;
+}
+
+SolverSettings damBreakSettings(int dim) {
+  SolverSettings s;
+  s.kernel = "wendland_c2";
+  s.smoothingLength = dim == 2 ? 1.5 : 1.28;  // 33 and about 97 neighbours
+  s.density = "continuity";
+  s.soundSpeed = soundSpeed;
+  s.viscosity = ViscositySettings{MonaghanSettings{0.1, 0}};
+  s.gravity = std::vector<double>(static_cast<std::size_t>(dim), 0.0);
+  s.gravity.back() = -gravity;
+  s.wallPressure = "equation_of_state";
+  return s;
+}
+
+template <int Dim>
+Scene<Dim> quietGas(std::size_t n) {
+  const double edge = std::pow(static_cast<double>(n) * particleVolume<Dim>(), 1.0 / Dim);
+  // Even numbers of rows, so that the lattice fits the periods.
+  Vec<Dim> size;
+  const double steps[] = {1, std::sqrt(0.75), std::sqrt(2.0 / 3)};
+  for (int a = 0; a < Dim; ++a) size[a] = 2 * std::round(edge / steps[a] / 2) * steps[a];
+  Scene<Dim> scene = sceneOf<Dim>(lattice<Dim>({}, size), {});
+  scene.info.domain.upper = size;
+  scene.info.domain.periodic.fill(true);
+  const auto velocity = scene.particles[field::velocity];
+  const auto position = scene.particles[field::position];
+  const double k = 2 * std::numbers::pi / size[0];
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    velocity[i][0] = 0.01 * soundSpeed * std::sin(k * position[i][0]);
+  return scene;
+}
+
+SolverSettings quietGasSettings(int dim) {
+  SolverSettings s = damBreakSettings(dim);
+  s.density = "summation";
+  s.backgroundPressure = density * soundSpeed * soundSpeed / 7;
+  s.gravity.clear();
+  s.wallPressure = "zero";
+  return s;
+}
+
+template Scene<2> damBreak<2>(std::size_t, double);
+template Scene<3> damBreak<3>(std::size_t, double);
+template Scene<2> quietGas<2>(std::size_t);
+template Scene<3> quietGas<3>(std::size_t);
+
+}  // namespace plenum::bench
