@@ -1,135 +1,224 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sums over tiles of packs against a double loop over particles.
 #include "engine/pair_loop.hpp"
 
+#include "engine/engine.hpp"
+#include "engine/pass_of.hpp"
+#include "tests/support/dimensions.hpp"
+#include "tests/support/pair_sums.hpp"
 #include "tests/support/random_particles.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <cmath>
+#include <iostream>
 
 namespace plenum {
 namespace {
 
-/// Counts neighbours in the support, weights them and remembers who they were.
+/// A scalar and a vector that depend on everything that a pair knows. It treats i and j
+/// differently, so that an exchange of the two shows.
 struct Probe {
   static constexpr FieldSet reads{field::mass, field::velocity};
   static constexpr FieldSet writes{field::densityRate, field::velocityChange};
+  static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
   void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    i.densityRate += ij.j.mass * ij.W;
-    i.velocityChange += ij.j.mass * ij.gradW() * ij.velocityDotR();
-  }
-  template <class Real, int Dim>
-  void self(const ParticleView<Real, Dim>& i, Real W0, Sums<Real, Dim>& sums) const {
-    sums.densityRate += i.mass * W0;
-  }
-};
-
-/// The scalar half of Probe: what walls can receive.
-struct ScalarProbe {
-  static constexpr FieldSet reads{field::mass};
-  static constexpr FieldSet writes{field::densityRate};
-
-  template <class Real, int Dim>
-  void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    i.densityRate += ij.j.mass * ij.W;
-  }
-  template <class Real, int Dim>
-  void self(const ParticleView<Real, Dim>& i, Real W0, Sums<Real, Dim>& sums) const {
-    sums.densityRate += i.mass * W0;
+    i.densityRate += ij.j.mass * ij.W * (Real(1) + Real(0.5) * ij.i.mass) +
+                     Real(0.01) * ij.j.mass * ij.velocityDotGradW();
+    i.velocityChange += ij.j.mass * ij.velocityDotR * ij.gradW();
+    i.velocityChange -= ij.i.mass * ij.gradW();
+    i.velocityChange += ij.j.mass * ij.W * (ij.i.velocity + Real(0.25) * ij.j.velocity);
   }
 };
 
 template <class T>
 class PairLoopTest : public testing::Test {};
-using Dimensions = testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
-                                  std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(PairLoopTest, Dimensions);
+TYPED_TEST_SUITE(PairLoopTest, test::Dimensions);
 
-bool isSource(Group group, std::size_t j, std::size_t nFluid) {
-  return group == Group::all || (group == Group::fluids) == (j < nFluid);
+/// What sums are accurate to, in units of the typical sum of |pair terms|. Double: some 100
+/// additions of 1.1e-16 each. Mixed: positions relative to clusters and sums in float, 6e-8 each;
+/// kernels that are steep at r = 0 multiply the error of the closest pairs.
+constexpr double toleranceOf(Precision precision) {
+  return precision == Precision::mixed ? 1e-5 : 1e-13;
 }
 
-bool receives(Group group, std::size_t i, std::size_t nFluid) { return isSource(group, i, nFluid); }
+struct Worst {
+  double mixed = 0, doubled = 0;
+  void note(Precision precision, double deviation) {
+    double& worst = precision == Precision::mixed ? mixed : doubled;
+    worst = std::max(worst, deviation);
+    EXPECT_LE(deviation, toleranceOf(precision)) << test::nameOf(precision);
+  }
+  ~Worst() {
+    std::cout << "  largest deviation / typical sum of |terms|: mixed " << mixed << ", double "
+              << doubled << "\n";
+  }
+};
 
-template <int Dim>
-void expectEqualToDoubleLoop(bool periodic, Group receivers, Group sources) {
-  using K = Kernel<Dim, kernel::WendlandC4>;
-  const Box<Dim> box = test::unitBox<Dim>(periodic);
-  auto particles = test::randomParticles<Dim>(box, 200, 80);
-  const double h = 0.15;
-  Engine<Dim> engine(box, {2 * h, 0.2, true});
-  engine.update(particles);
-  std::ranges::fill(particles[field::densityRate], -1.0);
-  const bool fluidsOnly = receivers == Group::fluids;
-  if (fluidsOnly)
-    runPass(Pass<kernel::WendlandC4, Probe>{{}, h, {}, receivers, sources}, engine, particles);
-  else
-    runPass(Pass<kernel::WendlandC4, ScalarProbe>{{}, h, {}, receivers, sources}, engine,
-            particles);
-
-  const auto x = particles[field::position];
-  const auto v = particles[field::velocity];
-  const auto m = particles[field::mass];
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (!receives(receivers, i, particles.nFluid())) {
-      EXPECT_EQ(particles[field::densityRate][i], -1);  // untouched
-      continue;
-    }
-    long double sum = static_cast<long double>(m[i]) * K::W(0, h);
-    Vec<Dim> change;
-    for (std::size_t j = 0; j < particles.size(); ++j) {
-      const Vec<Dim> r = box.nearestImage(x[i] - x[j]);
-      if (j == i || norm(r) >= 2 * h || !isSource(sources, j, particles.nFluid())) continue;
-      sum += static_cast<long double>(m[j]) * K::W(norm(r), h);
-      change += m[j] * K::F(norm(r), h) * dot(v[i] - v[j], r) * r;
-    }
-    // A sum of some 100 terms of one sign: round-off of a few ulp.
-    EXPECT_NEAR(particles[field::densityRate][i], static_cast<double>(sum),
-                1e-14 * static_cast<double>(sum));
-    if (!fluidsOnly) continue;
-    // Terms of both signs of up to about 100 each: round-off of the largest.
-    EXPECT_LE(norm(particles[field::velocityChange][i] - change), 1e-12 * (1 + norm(change)));
+template <int Dim, class P>
+void expectEqualToDoubleLoop(const P& pass, const Box<Dim>& box, std::size_t nFluid,
+                             std::size_t nWalls, Worst& worst) {
+  for (const Precision precision : test::bothPrecisions) {
+    auto particles = test::randomParticles<Dim>(box, nFluid, nWalls);
+    Engine<Dim> engine(box, {2 * pass.smoothingLength, 0.2, true, precision});
+    engine.update(particles);
+    for (const Group receivers : test::allGroups)
+      for (const Group sources : test::allGroups) {
+        SCOPED_TRACE(testing::Message()
+                     << nFluid << " fluid, " << nWalls << " walls, periodic " << box.anyPeriodic()
+                     << ", receivers " << static_cast<int>(receivers) << ", sources "
+                     << static_cast<int>(sources));
+        const auto expected = test::sumOfAllPairs<Dim>(pass, particles, box, receivers, sources);
+        const auto check = [&](const PairPass<Dim>& made) {
+          engine.run(made, particles);
+          worst.note(precision,
+                     test::worstDeviation(engine, pass.writes, particles, expected, receivers));
+        };
+        check(passOf<Dim, 16>(pass, receivers, sources));
+        check(passOf<Dim, 32>(pass, receivers, sources));
+        check(passOf<Dim, 64>(pass, receivers, sources));
+      }
   }
 }
 
 TYPED_TEST(PairLoopTest, EqualsADoubleLoopOverAllPairs) {
-  for (const bool periodic : {false, true})
-    for (const Group receivers : {Group::all, Group::fluids, Group::walls})
-      for (const Group sources : {Group::all, Group::fluids, Group::walls})
-        expectEqualToDoubleLoop<TypeParam::value>(periodic, receivers, sources);
+  constexpr int Dim = TypeParam::value;
+  const Pass<kernel::WendlandC4, Probe> pass{{}, 0.15, {}};
+  Worst worst;
+  for (const bool periodic : {false, true}) {
+    const Box<Dim> box = test::unitBox<Dim>(periodic);
+    expectEqualToDoubleLoop<Dim>(pass, box, 200, 80, worst);
+    expectEqualToDoubleLoop<Dim>(pass, box, 9, 0, worst);
+    expectEqualToDoubleLoop<Dim>(pass, box, 0, 9, worst);
+    expectEqualToDoubleLoop<Dim>(pass, box, 1, 1, worst);
+  }
 }
 
-TYPED_TEST(PairLoopTest, KernelChosenAtRunTimeGivesTheSameSums) {
+/// A box of barely two supports: every image is next to every other.
+TYPED_TEST(PairLoopTest, EqualsADoubleLoopInASmallPeriodicBox) {
+  constexpr int Dim = TypeParam::value;
+  const Pass<kernel::WendlandC4, Probe> pass{{}, 0.2499, {}};
+  Worst worst;
+  expectEqualToDoubleLoop<Dim>(pass, test::unitBox<Dim>(true), 150, 60, worst);
+}
+
+TYPED_TEST(PairLoopTest, EveryKernelChosenAtRunTimeEqualsTheDoubleLoop) {
   constexpr int Dim = TypeParam::value;
   const Box<Dim> box = test::unitBox<Dim>(true);
-  auto particles = test::randomParticles<Dim>(box, 300, 0);
-  Engine<Dim> engine(box, {0.3, 0.2, false});
-  engine.update(particles);
-  runPass(Pass<kernel::Convex, Probe>{{}, 0.15, {}}, engine, particles);
-  const auto span = particles[field::densityRate];
-  const std::vector<double> fixed(span.begin(), span.end());
-  const kernel::Any any{KernelId::named("convex")};
-  runPass(Pass<kernel::Any, Probe>{any, 0.15, {}}, engine, particles);
-  for (std::size_t i = 0; i < fixed.size(); ++i)  // the compiler may order operations differently
-    EXPECT_NEAR(span[i], fixed[i], 1e-14 * fixed[i]);
+  for (const std::string& name : KernelId::names()) {
+    const Pass<kernel::Any, Probe> pass{{KernelId::named(name)}, 0.15, {}};
+    for (const Precision precision : test::bothPrecisions) {
+      auto particles = test::randomParticles<Dim>(box, 300, 0);
+      Engine<Dim> engine(box, {0.3, 0.2, false, precision});
+      engine.update(particles);
+      engine.run(passOf<Dim>(pass), particles);
+      const double deviation = test::worstDeviation(
+          engine, pass.writes, particles,
+          test::sumOfAllPairs<Dim>(pass, particles, box, Group::fluids, Group::all), Group::fluids);
+      EXPECT_LE(deviation, toleranceOf(precision)) << name << ", " << test::nameOf(precision);
+      std::cout << "  " << name << ", " << test::nameOf(precision) << ": " << deviation << "\n";
+    }
+  }
 }
 
-TYPED_TEST(PairLoopTest, CoincidentParticlesGiveFiniteSums) {
+/// Sums of one particle only: its own part with r = 0.
+TYPED_TEST(PairLoopTest, AParticleIsItsOwnNeighbour) {
   constexpr int Dim = TypeParam::value;
   const Box<Dim> box = test::unitBox<Dim>(false);
-  kernel::forEachProfile([&](auto profile) {
-    auto particles = test::randomParticles<Dim>(box, 2, 0);
-    particles[field::position][1] = particles[field::position][0];
-    Engine<Dim> engine(box, {0.3, 0.2, false});
+  for (const Precision precision : test::bothPrecisions) {
+    auto particles = test::randomParticles<Dim>(box, 1, 0);
+    Engine<Dim> engine(box, {0.3, 0.2, false, precision});
     engine.update(particles);
-    runPass(Pass<decltype(profile), Probe>{profile, 0.15, {}}, engine, particles);
-    for (std::size_t i = 0; i < 2; ++i) {
-      EXPECT_TRUE(std::isfinite(particles[field::densityRate][i])) << profile.name;
-      EXPECT_EQ(norm(particles[field::velocityChange][i]), 0) << profile.name;
+    engine.run(passOf<Dim>(Pass<kernel::WendlandC4, Probe>{{}, 0.15, {}}), particles);
+    const double m = particles[field::mass][0], W0 = Kernel<Dim, kernel::WendlandC4>::W(0, 0.15);
+    const double expected = m * W0 * (1 + 0.5 * m);
+    // One pair: a few roundings.
+    EXPECT_NEAR(engine.sums(field::densityRate)[0], expected,
+                expected * (precision == Precision::mixed ? 1e-6 : 1e-15));
+  }
+}
+
+TYPED_TEST(PairLoopTest, CoincidentParticlesGiveFiniteSumsAndNoGradient) {
+  constexpr int Dim = TypeParam::value;
+  const Box<Dim> box = test::unitBox<Dim>(false);
+  for (const Precision precision : test::bothPrecisions)
+    for (const std::size_t n : {2, 5, 20})
+      kernel::forEachProfile([&](auto profile) {
+        auto particles = test::randomParticles<Dim>(box, n, 0);
+        std::ranges::fill(particles[field::position], Vec<Dim>::filled(0.3));
+        Engine<Dim> engine(box, {0.3, 0.2, false, precision});
+        engine.update(particles);
+        engine.run(passOf<Dim>(Pass<decltype(profile), test::GradientProbe>{profile, 0.15, {}}),
+                   particles);
+        for (std::size_t i = 0; i < n; ++i) {
+          EXPECT_TRUE(std::isfinite(engine.sums(field::densityRate)[i])) << profile.name;
+          EXPECT_EQ(norm(engine.sums(field::velocityChange)[i]), 0) << profile.name;
+        }
+      });
+}
+
+/// h, distances and masses scaled by the same factor: the sums are those of metres.
+template <int Dim>
+void expectRightInUnitsOf(double length) {
+  for (const Precision precision : test::bothPrecisions) {
+    Box<Dim> box = test::unitBox<Dim>(true);
+    box.upper *= length;
+    auto particles = test::randomParticles<Dim>(box, 200, 0);
+    const Pass<kernel::Convex, Probe> pass{{}, 0.15 * length, {}};
+    for (double& m : particles[field::mass]) m *= power<Dim>(length);  // densities of about 1
+    Engine<Dim> engine(box, {0.3 * length, 0.2, false, precision});
+    engine.update(particles);
+    engine.run(passOf<Dim>(pass), particles);
+    EXPECT_LE(test::worstDeviation(
+                  engine, pass.writes, particles,
+                  test::sumOfAllPairs<Dim>(pass, particles, box, Group::fluids, Group::all),
+                  Group::fluids),
+              toleranceOf(precision))
+        << test::nameOf(precision) << ", unit of length " << length << " m";
+  }
+}
+
+TYPED_TEST(PairLoopTest, IsRightForMicrometres) { expectRightInUnitsOf<TypeParam::value>(1e-6); }
+TYPED_TEST(PairLoopTest, IsRightForMegametres) { expectRightInUnitsOf<TypeParam::value>(1e6); }
+TYPED_TEST(PairLoopTest, IsRightForLightYears) { expectRightInUnitsOf<TypeParam::value>(1e16); }
+
+/// Runs `test` with 1, 2 and 3 threads and returns what it gave.
+template <class Test>
+auto forThreads(Test&& test) {
+  std::vector<decltype(test())> results;
+  for (const int nThreads : {1, 2, 3}) {
+    omp_set_num_threads(nThreads);
+    results.push_back(test());
+  }
+  omp_set_num_threads(omp_get_num_procs());
+  return results;
+}
+
+TEST(PairLoop, SumsHaveTheSameBitsForAnyNumberOfThreads) {
+  const Box<2> box = test::unitBox<2>(true);
+  for (const Precision precision : test::bothPrecisions)
+    for (const Group receivers : {Group::fluids, Group::all}) {
+      const auto results = forThreads([&] {
+        auto particles = test::randomParticles<2>(box, 20000, 5000);
+        Engine<2> engine(box, {0.02, 0.2, receivers == Group::all, precision});
+        engine.update(particles);
+        EXPECT_GT(engine.tiles().chunks().size(), 10u);
+        engine.run(passOf<2>(Pass<kernel::WendlandC4, Probe>{{}, 0.01, {}}, receivers), particles);
+        std::vector<double> sums;
+        for (std::size_t i = 0; i < (receivers == Group::all ? 25000u : 20000u); ++i) {
+          sums.push_back(engine.sums(field::densityRate)[i]);
+          sums.push_back(engine.sums(field::velocityChange)[i][0]);
+          sums.push_back(engine.sums(field::velocityChange)[i][1]);
+        }
+        return sums;
+      });
+      EXPECT_EQ(results[0], results[1]);
+      EXPECT_EQ(results[0], results[2]);
     }
-  });
 }
 
 }  // namespace

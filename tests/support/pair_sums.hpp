@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What an engine's sums are compared with: every particle against every other one, in long double.
+#pragma once
+
+#include "engine/engine.hpp"
+#include "engine/layout.hpp"
+#include "engine/pair_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace plenum::test {
+
+/// Mass around a particle and its gradient.
+struct GradientProbe {
+  static constexpr FieldSet reads{field::mass};
+  static constexpr FieldSet writes{field::densityRate, field::velocityChange};
+  static constexpr bool usesKernel = true;
+
+  template <class Real, int Dim>
+  void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+    i.densityRate += ij.j.mass * ij.W;
+    i.velocityChange += ij.j.mass * ij.gradW();
+  }
+};
+
+/// Sums of all components that a pass writes, one row a particle, and the sizes of what was added.
+struct PairSums {
+  int nOut = 0;
+  std::vector<long double> value, size;  ///< [particle][component]; size: sum of |pair term|
+
+  /// Root mean square of `size` over the particles in [first, last): what a sum is accurate to is
+  /// a small part of this.
+  double typicalSize(int component, std::size_t first, std::size_t last) const {
+    long double squares = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const long double s = size[i * static_cast<std::size_t>(nOut) + static_cast<std::size_t>(component)];
+      squares += s * s;
+    }
+    return static_cast<double>(std::sqrt(squares / static_cast<long double>(last - first)));
+  }
+};
+
+template <int Dim>
+Vec<Dim, long double> toLong(const Vec<Dim>& x) {
+  Vec<Dim, long double> y;
+  for (int a = 0; a < Dim; ++a) y[a] = x[a];
+  return y;
+}
+
+template <int Dim>
+ParticleView<long double, Dim> viewOf(const ParticleSet<Dim>& particles, std::size_t i) {
+  const long double density = particles[field::density][i];
+  return {particles[field::mass][i], density, particles[field::pressure][i],
+          toLong(particles[field::velocity][i]), 1 / density};
+}
+
+/// The nearest image of x_i - x_j.
+template <int Dim>
+Vec<Dim, long double> difference(const Box<Dim>& box, const Vec<Dim>& xi, const Vec<Dim>& xj) {
+  Vec<Dim, long double> r = toLong(xi) - toLong(xj);
+  for (int a = 0; a < Dim; ++a) {
+    if (!box.isPeriodic(a)) continue;
+    const long double period = static_cast<long double>(box.upper[a]) - box.lower[a];
+    r[a] -= period * std::nearbyint(r[a] / period);
+  }
+  return r;
+}
+
+inline bool isIn(Group group, std::size_t particle, std::size_t nFluid) {
+  return particle < nFluid ? hasFluids(group) : hasWalls(group);
+}
+
+/// The double loop. Walls and fluids outside of `receivers` keep zero.
+template <int Dim, class Profile, class... Terms>
+PairSums sumOfAllPairs(const Pass<Profile, Terms...>& pass, const ParticleSet<Dim>& particles,
+                       const Box<Dim>& box, Group receivers, Group sources) {
+  using Real = long double;
+  constexpr FieldSet writes = Pass<Profile, Terms...>::writes;
+  PairSums sums;
+  sums.nOut = componentsOf<Dim>(writes);
+  const auto nOut = static_cast<std::size_t>(sums.nOut);
+  sums.value.assign(particles.size() * nOut, 0);
+  sums.size.assign(particles.size() * nOut, 0);
+  const Real h = pass.smoothingLength;
+  const Real sigmaW = sigmaOf<Dim>(pass.profile) * power<Dim>(1 / h);
+  std::vector<ParticleView<Real, Dim>> views;
+  for (std::size_t i = 0; i < particles.size(); ++i) views.push_back(viewOf(particles, i));
+  const auto x = particles[field::position];
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (!isIn(receivers, i, particles.nFluid())) continue;
+    for (std::size_t j = 0; j < particles.size(); ++j) {
+      if (!isIn(sources, j, particles.nFluid())) continue;
+      const Vec<Dim, Real> r = difference(box, x[i], x[j]);
+      const Real distanceSquared = normSquared(r);
+      if (distanceSquared > 4 * h * h) continue;
+      const Real R = std::sqrt(distanceSquared) / h;
+      const Real F = sigmaW / (h * h) * pass.profile.g(R);
+      Sums<Real, Dim> pair;
+      const Pair<Real, Dim> ij{views[i],
+                               views[j],
+                               r,
+                               distanceSquared,
+                               h,
+                               sigmaW * pass.profile.f(R),
+                               F,
+                               dot(views[i].velocity - views[j].velocity, r)};
+      std::apply([&](const auto&... term) { (term(ij, pair), ...); }, pass.terms);
+      const auto add = [&](int component, Real value) {
+        const std::size_t k = i * nOut + static_cast<std::size_t>(component);
+        sums.value[k] += value;
+        sums.size[k] += std::abs(value);
+      };
+      Sums<Real, Dim>::forEachMember([&](auto tag, auto member) {
+        if constexpr (writes.has(tag)) {
+          constexpr int first = offsetOf<Dim>(writes, tag);
+          if constexpr (infoOf(tag).rank == Rank::vector) {
+            const Vec<Dim, Real> total = (pair.*member).total(F * r);
+            for (int a = 0; a < Dim; ++a) add(first + a, total[a]);
+          } else {
+            add(first, pair.*member);
+          }
+        }
+      });
+    }
+  }
+  return sums;
+}
+
+/// Largest deviation of the engine's last sums from the double loop, over the receivers and in
+/// units of the typical size of the component's sums. Infinite if some sum is not finite.
+template <int Dim>
+double worstDeviation(const Engine<Dim>& engine, FieldSet writes, const ParticleSet<Dim>& particles,
+                      const PairSums& expected, Group receivers) {
+  const std::size_t nFluid = particles.nFluid();
+  const std::size_t first = hasFluids(receivers) ? 0 : nFluid;
+  const std::size_t last = hasWalls(receivers) ? particles.size() : nFluid;
+  if (first == last) return 0;
+  double worst = 0;
+  const auto compare = [&](int component, std::size_t i, double sum) {
+    const double typical = expected.typicalSize(component, first, last);
+    const long double value =
+        expected.value[i * static_cast<std::size_t>(expected.nOut) + static_cast<std::size_t>(component)];
+    if (!std::isfinite(sum)) worst = std::numeric_limits<double>::infinity();
+    if (typical > 0) worst = std::max(worst, std::abs(static_cast<double>(sum - value)) / typical);
+    else if (sum != 0) worst = std::numeric_limits<double>::infinity();
+  };
+  Sums<double, Dim>::forEachMember([&](auto tag, auto) {
+    constexpr FieldInfo info = infoOf(tag);
+    if (!writes.has(tag)) return;
+    const int offset = offsetOf<Dim>(writes, tag);
+    const auto sums = engine.sums(Field<info.rank>{info.id});
+    for (std::size_t i = first; i < last; ++i) {
+      if constexpr (info.rank == Rank::vector)
+        for (int a = 0; a < Dim; ++a) compare(offset + a, i, sums[i][a]);
+      else
+        compare(offset, i, sums[i]);
+    }
+  });
+  return worst;
+}
+
+inline const char* nameOf(Precision precision) {
+  return precision == Precision::mixed ? "mixed" : "double";
+}
+
+inline constexpr Precision bothPrecisions[] = {Precision::mixed, Precision::doubled};
+inline constexpr Group allGroups[] = {Group::all, Group::fluids, Group::walls};
+
+}  // namespace plenum::test
