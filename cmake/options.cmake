@@ -27,7 +27,8 @@ endif()
 
 # For sources with pair loops: as fast as -ffast-math, but NaN is still found.
 set(PLENUM_PAIR_LOOP_FLAGS
-  -fno-math-errno -fno-trapping-math -fno-signed-zeros -fassociative-math -ffp-contract=fast)
+  -fno-math-errno -fno-trapping-math -fno-signed-zeros -fassociative-math -ffp-contract=fast
+  -fschedule-insns -fsched-pressure)
 
 # Instruction sets that loops are compiled for; the best is chosen when a program starts.
 set(PLENUM_INSTRUCTION_SETS Baseline)

@@ -20,37 +20,34 @@ enum class Precision {
   doubled  ///< double
 };
 
-/// The sums of the last pass: `sums[i]` for particle i, as double or Vec<Dim>.
-template <Rank R, int Dim>
+/// The sums of a field in the last pass: `sums[i]` for particle i, as double or Vec<Dim>. `T` is
+/// what they were computed in.
+template <Rank R, int Dim, class T>
 class SumView {
  public:
-  SumView(const Clusters<Dim>& clusters, const float* inFloat, const double* inDouble, int nOut,
-          int first)
-      : clusters_(&clusters), float_(inFloat), double_(inDouble), nOut_(nOut), first_(first) {}
+  SumView(const Clusters<Dim>& clusters, const T* sums, int nOut, int first)
+      : nFluid_(clusters.nFluid),
+        toWalls_(clusters.nFluidClusters * clusterSize - clusters.nFluid),
+        sums_(sums + static_cast<std::size_t>(first) * clusterSize),
+        nOut_(static_cast<std::size_t>(nOut)) {}
 
   ValueOf<R, Dim> operator[](std::size_t i) const {
-    const std::size_t slot = clusters_->slotOf(i);
-    const std::size_t place =
-        (slot / clusterSize * static_cast<std::size_t>(nOut_) + static_cast<std::size_t>(first_)) *
-            clusterSize +
-        slot % clusterSize;
+    const std::size_t slot = i < nFluid_ ? i : i + toWalls_;
+    const T* value = sums_ + slot / clusterSize * (nOut_ * clusterSize) + slot % clusterSize;
     if constexpr (R == Rank::vector) {
-      Vec<Dim> value;
+      Vec<Dim> v;
       for (int a = 0; a < Dim; ++a)
-        value[a] = at(place + static_cast<std::size_t>(a) * clusterSize);
-      return value;
+        v[a] = static_cast<double>(value[static_cast<std::size_t>(a) * clusterSize]);
+      return v;
     } else {
-      return at(place);
+      return static_cast<double>(*value);
     }
   }
 
  private:
-  double at(std::size_t k) const { return double_ ? double_[k] : static_cast<double>(float_[k]); }
-
-  const Clusters<Dim>* clusters_;
-  const float* float_;
-  const double* double_;
-  int nOut_, first_;
+  std::size_t nFluid_, toWalls_;
+  const T* sums_;
+  std::size_t nOut_;
 };
 
 /// Keeps particles sorted in clusters and knows who is near whom. The solver, relaxation and report
@@ -83,13 +80,25 @@ class Engine {
   /// depend on the number of threads.
   void run(const PairPass<Dim>& pass, const ParticleSet<Dim>& particles);
 
-  /// The sums that the last pass wrote for a field; valid until the next pass.
+  /// Calls visit(sums) with a SumView of what the last pass wrote for a field.
+  template <Rank R, class Visit>
+  void withSums(Field<R> field, Visit&& visit) const {
+    const int nOut = componentsOf<Dim>(written_), first = offsetOf<Dim>(written_, field.id);
+    if (options_.precision == Precision::mixed)
+      visit(SumView<R, Dim, float>(clusters_, inFloat_.sums.data(), nOut, first));
+    else
+      visit(SumView<R, Dim, double>(clusters_, inDouble_.sums.data(), nOut, first));
+  }
+
+  /// A copy of them: for tests and tools.
   template <Rank R>
-  SumView<R, Dim> sums(Field<R> field) const {
-    const bool mixed = options_.precision == Precision::mixed;
-    return {clusters_, mixed ? inFloat_.sums.data() : nullptr,
-            mixed ? nullptr : inDouble_.sums.data(), componentsOf<Dim>(written_),
-            offsetOf<Dim>(written_, field.id)};
+  std::vector<ValueOf<R, Dim>> sums(Field<R> field) const {
+    std::vector<ValueOf<R, Dim>> copy(options_.wallsReceive ? clusters_.nParticles
+                                                            : clusters_.nFluid);
+    withSums(field, [&](const auto& view) {
+      for (std::size_t i = 0; i < copy.size(); ++i) copy[i] = view[i];
+    });
+    return copy;
   }
 
   double support() const { return options_.support; }

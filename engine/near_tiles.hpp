@@ -66,7 +66,7 @@ class NearTiles {
         least = min(least, distanceSquared);
       }
     }
-    return anyBelow(least, limit_);
+    return lanesBelow(least, limit_) != 0;
   }
 
   const TileWork<Dim, T>& work_;

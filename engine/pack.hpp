@@ -168,22 +168,29 @@ template <class T, int N, class Isa>
   }
 }
 
-/// Whether some lane is smaller than `limit`.
+/// Bit k says whether lane k is smaller than `limit`.
 template <class T, int N, class Isa>
-[[gnu::always_inline]] inline bool anyBelow(const Pack<T, N, Isa>& a, T limit) {
+[[gnu::always_inline]] inline unsigned lanesBelow(const Pack<T, N, Isa>& a, T limit) {
   const auto below = a < Pack<T, N, Isa>(limit);
+#if defined(__AVX512F__)
+  if constexpr (sizeof(below) == 64 && sizeof(T) == 8)
+    return _mm512_cmplt_pd_mask(a.raw, Pack<T, N, Isa>(limit).raw);
+#endif
 #if defined(__AVX__)
   if constexpr (sizeof(below) == 32 && sizeof(T) == 4)
-    return _mm256_movemask_ps((__m256)below) != 0;
+    return static_cast<unsigned>(_mm256_movemask_ps((__m256)below));
   if constexpr (sizeof(below) == 32 && sizeof(T) == 8)
-    return _mm256_movemask_pd((__m256d)below) != 0;
+    return static_cast<unsigned>(_mm256_movemask_pd((__m256d)below));
 #endif
 #if defined(__SSE2__)
-  if constexpr (sizeof(below) == 16) return _mm_movemask_epi8((__m128i)below) != 0;
+  if constexpr (sizeof(below) == 16 && sizeof(T) == 4)
+    return static_cast<unsigned>(_mm_movemask_ps((__m128)below));
+  if constexpr (sizeof(below) == 16 && sizeof(T) == 8)
+    return static_cast<unsigned>(_mm_movemask_pd((__m128d)below));
 #endif
-  bool any = false;
-  for (int k = 0; k < N; ++k) any |= below[k] != 0;
-  return any;
+  unsigned bits = 0;
+  for (int k = 0; k < N; ++k) bits |= static_cast<unsigned>(below[k] != 0) << k;
+  return bits;
 }
 
 }  // namespace plenum

@@ -20,17 +20,27 @@ void Clusters<Dim>::build(std::span<const Vec<Dim>> positions, std::size_t nFlui
   origin.resize(nClusters);
   halfSize.resize(nClusters);
   forEachIndex(nClusters, [&](std::size_t c) {
-    const Box<Dim> box = boxOf<Dim>(positions.subspan(firstOf(c), endOf(c) - firstOf(c)));
+    Box<Dim> box = Box<Dim>::nothing();
+    for (const Vec<Dim>& x : positions.subspan(firstOf(c), endOf(c) - firstOf(c)))
+      for (int a = 0; a < Dim; ++a) {
+        box.lower[a] = std::min(box.lower[a], x[a]);
+        box.upper[a] = std::max(box.upper[a], x[a]);
+      }
     origin[c] = box.center();
-    for (int a = 0; a < Dim; ++a) halfSize[c][a] = roundedUp(0.5 * (box.upper[a] - box.lower[a]));
+    constexpr double roundUp = 0.5 * (1 + 1e-6);  // to float, and never smaller
+    for (int a = 0; a < Dim; ++a)
+      halfSize[c][a] = static_cast<float>(roundUp * (box.upper[a] - box.lower[a]));
   });
 }
 
 template <int Dim>
-struct TileList<Dim>::Search : TileSearch<Dim> {};
+struct TileList<Dim>::Work {
+  std::vector<TileSearch<Dim>> searches;  // one a thread
+  std::vector<ClusterGroup<Dim>> groups;
+};
 
 template <int Dim>
-TileList<Dim>::TileList() = default;
+TileList<Dim>::TileList() : work_(std::make_unique<Work>()) {}
 template <int Dim>
 TileList<Dim>::~TileList() = default;
 template <int Dim>
@@ -62,6 +72,25 @@ void TileList<Dim>::divide(const Clusters<Dim>& clusters, bool wallsReceive) {
   }
 }
 
+/// Runs of clusters as long as chunks, of walls that do not receive, too.
+template <int Dim>
+void TileList<Dim>::group(const Clusters<Dim>& clusters) {
+  auto& groups = work_->groups;
+  groups.clear();
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t first = begin; first < end; first += chunkSize_)
+      groups.push_back({static_cast<std::uint32_t>(first),
+                        static_cast<std::uint32_t>(std::min(end, first + chunkSize_)),
+                        Box<Dim>::nothing()});
+  };
+  add(0, clusters.nFluidClusters);
+  add(clusters.nFluidClusters, clusters.nClusters);
+  forEachIndex(groups.size(), [&](std::size_t g) {
+    for (std::size_t c = groups[g].first; c < groups[g].last; ++c)
+      groups[g].box.extend(boxOf(clusters, c));
+  });
+}
+
 template <int Dim>
 std::size_t TileList<Dim>::chunkOf(std::size_t cluster) const {
   return cluster < nFluidClusters_ ? cluster / chunkSize_
@@ -73,13 +102,16 @@ void TileList<Dim>::build(std::span<const Vec<Dim>> positions, const Clusters<Di
                           const Box<Dim>& domain, double radius, bool wallsReceive) {
   divide(clusters, wallsReceive);
   const auto nThreads = static_cast<std::size_t>(omp_get_max_threads());
-  if (searches_.size() < nThreads) searches_.resize(nThreads);
-  // Boxes of all possible chunks, walls included: what a chunk's search begins with.
-  const SearchGroups<Dim> groups(clusters, chunkSize_);
+  if (work_->searches.size() < nThreads) work_->searches.resize(nThreads);
+  group(clusters);
+  FirstFailure failure;
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t c = 0; c < nChunks_; ++c)
-    searches_[static_cast<std::size_t>(omp_get_thread_num())].run(
-        positions, clusters, groups, domain, radius, wallsReceive, chunks_[c]);
+    failure.watch(c, [&] {
+      work_->searches[static_cast<std::size_t>(omp_get_thread_num())].run(
+          positions, clusters, work_->groups, domain, radius, wallsReceive, chunks_[c]);
+    });
+  failure.rethrow();
   linkHalos(clusters);
 }
 

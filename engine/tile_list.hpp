@@ -8,6 +8,7 @@
 #include "particles/box.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -104,9 +105,10 @@ class TileList {
   std::size_t bytes() const;
 
  private:
-  struct Search;
+  struct Work;
 
   void divide(const Clusters<Dim>& clusters, bool wallsReceive);
+  void group(const Clusters<Dim>& clusters);
   void linkHalos(const Clusters<Dim>& clusters);
   std::size_t chunkOf(std::size_t cluster) const;
 
@@ -116,7 +118,7 @@ class TileList {
   std::size_t nSumPlaces_ = 0;
   std::vector<Addition> additions_;
   std::vector<std::size_t> firstAddition_;
-  std::vector<Search> searches_;  // one a thread
+  std::unique_ptr<Work> work_;  // space of the search
 };
 
 extern template class TileList<1>;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <limits>
 
 namespace plenum {
 
@@ -17,26 +18,40 @@ void forEachIndex(std::size_t n, Body&& body) {
   for (std::size_t i = 0; i < n; ++i) body(i);
 }
 
-/// Calls body(k) for k = 0 ... n - 1 from all threads, for heavy work that may throw. An exception
-/// (a geometry that cannot answer) leaves the loop after it has ended; of several the one with the
-/// smallest k, whatever the number of threads.
-template <class Body>
-void parallelFor(std::size_t n, Body&& body) {
-  std::exception_ptr failure;
-  std::size_t failedAt = n;
-#pragma omp parallel for schedule(dynamic) if (n > 1)
-  for (std::size_t k = 0; k < n; ++k) {
+/// An exception that must not leave a parallel loop; of several that of the smallest index,
+/// whatever the number of threads.
+class FirstFailure {
+ public:
+  template <class Body>
+  void watch(std::size_t k, Body&& body) {
     try {
-      body(k);
+      body();
     } catch (...) {
-#pragma omp critical(plenumParallelFor)
-      if (k < failedAt) {
-        failedAt = k;
-        failure = std::current_exception();
+#pragma omp critical(plenumFirstFailure)
+      if (k < failedAt_) {
+        failedAt_ = k;
+        failure_ = std::current_exception();
       }
     }
   }
-  if (failure) std::rethrow_exception(failure);
+  /// After the loop.
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::exception_ptr failure_;
+  std::size_t failedAt_ = std::numeric_limits<std::size_t>::max();
+};
+
+/// Calls body(k) for k = 0 ... n - 1 from all threads, for heavy work that may throw (a geometry
+/// that cannot answer).
+template <class Body>
+void parallelFor(std::size_t n, Body&& body) {
+  FirstFailure failure;
+#pragma omp parallel for schedule(dynamic) if (n > 1)
+  for (std::size_t k = 0; k < n; ++k) failure.watch(k, [&] { body(k); });
+  failure.rethrow();
 }
 
 }  // namespace plenum

@@ -29,6 +29,17 @@ std::vector<Tait> wallStates(const std::vector<Wall>& walls, const SolverSetting
   return rows;
 }
 
+constexpr auto isFiniteVector = [](const auto& v) { return std::isfinite(normSquared(v)); };
+
+/// The largest |vector(i)|, i < n.
+template <class Vector>
+double largestNorm(std::size_t n, Vector&& vector) {
+  double largest = 0;
+#pragma omp parallel for schedule(static) reduction(max : largest) if (n >= worthThreads)
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, normSquared(vector(i)));
+  return std::sqrt(largest);
+}
+
 /// The scene itself, after the checks that everything else relies on.
 template <int Dim>
 Scene<Dim>& checked(Scene<Dim>& scene, const SolverSettings& settings) {
@@ -62,6 +73,9 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings)
   scene_.info.smoothingLength = smoothingLength();
 
   largestAcceleration_ = norm(gravity_);
+  fastest_ = largestNorm(scene_.particles.nFluid(), [&](std::size_t i) {
+    return std::as_const(scene_.particles)[field::velocity][i];
+  });
   const FieldSet needed = neededFields();
   scene_.particles.add(needed);
   scene_.particles.remove(scene_.particles.fields().without(needed));
@@ -106,17 +120,17 @@ void Simulation<Dim>::updateDensity(double dt) {
   engine_.run(passes_.density, scene_.particles);
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const auto density = scene_.particles[field::density];
-  if (passes_.density.writes.has(field::density)) {
-    const auto sums = engine_.sums(field::density);
-    forEachIndex(nDensityReceivers(), [&](std::size_t i) { density[i] = sums[i]; });
-    return;
-  }
-  const auto rate = engine_.sums(field::densityRate);
-  requireSound("the density is no longer positive and finite", [&](std::size_t i) {
-    const double next = density[i] + dt * rate[i];
-    return next > 0 && std::isfinite(next);
-  });
-  forEachIndex(nDensityReceivers(), [&](std::size_t i) { density[i] += dt * rate[i]; });
+  if (passes_.density.writes.has(field::density))
+    engine_.withSums(field::density, [&](const auto& sums) {
+      forEachIndex(nDensityReceivers(), [&](std::size_t i) { density[i] = sums[i]; });
+    });
+  else
+    engine_.withSums(field::densityRate, [&](const auto& rate) {
+      addSoundly(
+          density.first(nDensityReceivers()), "the density is no longer positive and finite",
+          [&](std::size_t i) { return dt * rate[i]; },
+          [](double next) { return next > 0 && std::isfinite(next); });
+    });
 }
 
 template <int Dim>
@@ -137,15 +151,26 @@ void Simulation<Dim>::updatePressure() {
   }
 }
 
+/// values[i] += change(i) for all. If some result is not sound, takes all back (to rounding) and
+/// throws RunError that names the first one.
 template <int Dim>
-template <class IsSound>
-void Simulation<Dim>::requireSound(const char* what, IsSound&& isSound) const {
-  const std::size_t n = scene_.particles.nFluid();
+template <class Value, class Change, class IsSound>
+void Simulation<Dim>::addSoundly(std::span<Value> values, const char* what, Change&& change,
+                                 IsSound&& isSound) {
+  const std::size_t n = values.size();
   std::size_t bad = n;
 #pragma omp parallel for schedule(static) reduction(min : bad) if (n >= worthThreads)
+  for (std::size_t i = 0; i < n; ++i) {
+    const Value next = values[i] + change(i);
+    if (isSound(next))
+      values[i] = next;
+    else
+      bad = std::min(bad, i);
+  }
+  if (bad == n) return;
   for (std::size_t i = 0; i < n; ++i)
-    if (!isSound(i)) bad = std::min(bad, i);
-  if (bad < n) fail(what, bad);
+    if (isSound(values[i] + change(i))) values[i] = values[i] - change(i);
+  fail(what, bad);
 }
 
 template <int Dim>
@@ -161,58 +186,51 @@ void Simulation<Dim>::fail(const char* what, std::size_t i) const {
 template <int Dim>
 void Simulation<Dim>::kick(double dt) {
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  const auto velocity = scene_.particles[field::velocity];
-  const auto acceleration = engine_.sums(field::acceleration);
-  requireSound("the force is not finite", [&](std::size_t i) {
-    return std::isfinite(normSquared(velocity[i] + dt * acceleration[i]));
+  const auto velocity = scene_.particles[field::velocity].first(scene_.particles.nFluid());
+  engine_.withSums(field::acceleration, [&](const auto& acceleration) {
+    addSoundly(
+        velocity, "the force is not finite",
+        [&](std::size_t i) { return dt * (acceleration[i] + gravity_); }, isFiniteVector);
+    largestAcceleration_ =
+        largestNorm(velocity.size(), [&](std::size_t i) { return acceleration[i] + gravity_; });
   });
-  const std::size_t n = scene_.particles.nFluid();
-  double largest = 0;
-#pragma omp parallel for schedule(static) reduction(max : largest) if (n >= worthThreads)
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec<Dim> a = acceleration[i] + gravity_;
-    velocity[i] += dt * a;
-    largest = std::max(largest, normSquared(a));
-  }
-  largestAcceleration_ = std::sqrt(largest);
 }
 
 template <int Dim>
 void Simulation<Dim>::collide() {
   if (!passes_.collisions) return;
   engine_.run(passes_.collisions, scene_.particles);
-  const auto velocity = scene_.particles[field::velocity];
-  const auto change = engine_.sums(field::velocityChange);
-  requireSound("the change of velocity by collisions is not finite",
-               [&](std::size_t i) { return std::isfinite(normSquared(velocity[i] + change[i])); });
-  forEachIndex(scene_.particles.nFluid(), [&](std::size_t i) { velocity[i] += change[i]; });
+  const auto integrating = engine_.stopwatch().lap(Part::integrate);
+  engine_.withSums(field::velocityChange, [&](const auto& change) {
+    addSoundly(
+        scene_.particles[field::velocity].first(scene_.particles.nFluid()),
+        "the change of velocity by collisions is not finite",
+        [&](std::size_t i) { return change[i]; }, isFiniteVector);
+  });
 }
 
 template <int Dim>
 void Simulation<Dim>::drift(double dt) {
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const auto position = scene_.particles[field::position];
-  const auto velocity = scene_.particles[field::velocity];
-  forEachIndex(scene_.particles.nFluid(), [&](std::size_t i) {
-    position[i] = scene_.info.domain.wrap(position[i] + dt * velocity[i]);
-  });
-  engine_.moved(dt * fastest());
-}
-
-template <int Dim>
-double Simulation<Dim>::fastest() const {
-  const auto velocity = scene_.particles[field::velocity];
+  const auto velocity = std::as_const(scene_.particles)[field::velocity];
+  const Box<Dim>& domain = scene_.info.domain;
   const std::size_t n = scene_.particles.nFluid();
-  double largest = 0;
-#pragma omp parallel for schedule(static) reduction(max : largest) if (n >= worthThreads)
-  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, normSquared(velocity[i]));
-  return std::sqrt(largest);
+  fastest_ = largestNorm(n, [&](std::size_t i) {
+    position[i] += dt * velocity[i];
+    return velocity[i];
+  });
+  if (domain.anyPeriodic())
+    forEachIndex(n, [&](std::size_t i) {
+      if (!domain.contains(position[i])) position[i] = domain.wrap(position[i]);
+    });
+  engine_.moved(dt * fastest_);
 }
 
 template <int Dim>
 double Simulation<Dim>::maxTimeStep() const {
   if (settings_.timeStep) return *settings_.timeStep;
-  const double h = smoothingLength(), speed = fastest();
+  const double h = smoothingLength(), speed = fastest_;
   const double bySignal = h / (settings_.soundSpeed + speed);
   const double byForce = largestAcceleration_ > 0 ? std::sqrt(h / largestAcceleration_) : bySignal;
   const double step = settings_.cfl * std::min(bySignal, byForce);

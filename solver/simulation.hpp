@@ -64,13 +64,11 @@ class Simulation {
   void collide();
   void drift(double dt);
 
-  /// Throws RunError that names the first fluid particle i for which isSound(i) is false.
-  template <class IsSound>
-  void requireSound(const char* what, IsSound&& isSound) const;
+  template <class Value, class Change, class IsSound>
+  void addSoundly(std::span<Value> values, const char* what, Change&& change, IsSound&& isSound);
   [[noreturn]] void fail(const char* what, std::size_t particle) const;
 
   std::size_t nDensityReceivers() const;
-  double fastest() const;  // largest speed of a fluid particle [m/s]
 
   SolverSettings settings_;
   Scene<Dim> scene_;
@@ -81,6 +79,7 @@ class Simulation {
   WallMotion<Dim> wallMotion_;
   Vec<Dim> gravity_{};
   double largestAcceleration_ = 0;  // of a fluid particle in the last step [m/s^2]
+  double fastest_ = 0;              // its speed [m/s]
   long nSteps_ = 0;
 };
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The inner loops of the search for tiles: which of many boxes, which of some clusters, are near a
+// box. Plain pointers only, as in tile_work.hpp. Lengths are relative to a chunk, in float.
+#pragma once
+
+#include "engine/spatial_order.hpp"
+#include "particles/vec.hpp"
+
+#include <cstdint>
+
+namespace plenum {
+
+template <int Dim>
+struct FloatBox {
+  Vec<Dim, float> center, half;
+};
+
+/// Boxes as arrays, padded to whole packs with boxes that are far from everything.
+template <int Dim>
+struct BoxRows {
+  const float* center[Dim];
+  const float* half[Dim];
+};
+
+/// How many boxes a padded array has room for at its end.
+inline constexpr std::size_t boxPadding = 16;
+
+/// Writes the places in [first, last) of the boxes closer than `radius` to a box to `near`, in
+/// order; returns their number. `near` has room for last - first + boxPadding.
+template <class Isa, int Dim>
+std::size_t selectBoxes(const BoxRows<Dim>& boxes, std::size_t first, std::size_t last,
+                        const FloatBox<Dim>& box, float radius, std::uint32_t* near);
+
+/// Of the clusters who[place[k]], k < n, those that have a particle closer than `radius` to a box:
+/// writes them to `near` in order and returns their number. `points` are positions as
+/// [cluster][axis][particle]. `near` may be `place`.
+template <class Isa, int Dim>
+std::size_t selectClusters(const float* points, const std::uint32_t* who,
+                           const std::uint32_t* place, std::size_t n, const FloatBox<Dim>& box,
+                           float radius, std::uint32_t* near);
+
+}  // namespace plenum

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/tile_search.hpp"
+
+#include "engine/instruction_set.hpp"
+#include "particles/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plenum {
+
+namespace {
+
+/// Calls visit(shift, isShifted) for the domain itself and each periodic image of it.
+template <int Dim, class Visit>
+void forEachImage(const Box<Dim>& domain, Visit&& visit) {
+  int n = 1;
+  for (int a = 0; a < Dim; ++a) n *= domain.isPeriodic(a) ? 3 : 1;
+  for (int k = 0; k < n; ++k) {
+    Vec<Dim> shift;
+    int rest = k;
+    for (int a = 0; a < Dim; ++a) {
+      if (!domain.isPeriodic(a)) continue;
+      const int step = (rest % 3 + 1) % 3 - 1;  // 0, 1, -1
+      rest /= 3;
+      shift[a] = step * (domain.upper[a] - domain.lower[a]);
+    }
+    visit(shift, k != 0);
+  }
+}
+
+/// A far-away box at the end of arrays of boxes, as often as a pack may read past the last.
+constexpr float farAway = 1e18f;
+
+template <int Dim>
+BoxRows<Dim> rowsOf(const std::array<std::vector<float>, Dim>& centers,
+                    const std::array<std::vector<float>, Dim>& halves) {
+  BoxRows<Dim> rows;
+  for (std::size_t a = 0; a < Dim; ++a) {
+    rows.center[a] = centers[a].data();
+    rows.half[a] = halves[a].data();
+  }
+  return rows;
+}
+
+}  // namespace
+
+template <int Dim>
+void TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
+                          std::span<const ClusterGroup<Dim>> groups, const Box<Dim>& domain,
+                          double radius, bool wallsReceive, TileChunk<Dim>& chunk) {
+  clusters_ = &clusters;
+  positions_ = positions;
+  wallsReceive_ = wallsReceive;
+  begin(chunk, radius);
+  const std::uint32_t firstOwn = chunk.firstCluster, lastOwn = firstOwn + chunk.nClusters;
+  for (std::uint32_t c = firstOwn; c < lastOwn; ++c) addCandidate(c, Vec<Dim>{});
+  const std::size_t nOwn = candidates_.size();
+  for (const ClusterGroup<Dim>& group : groups) {
+    // A tile belongs to the cluster with the smaller number.
+    if (group.last <= firstOwn) continue;
+    forEachImage(domain, [&](const Vec<Dim>& shift, bool isShifted) {
+      if (isShifted || group.first != firstOwn) addNear(group, shift);
+    });
+  }
+  for (std::size_t a = 0; a < Dim; ++a) {
+    centers_[a].insert(centers_[a].end(), boxPadding, farAway);
+    halves_[a].insert(halves_[a].end(), boxPadding, 0.0f);
+  }
+  for (std::size_t c = 0; c < nOwn; ++c) {
+    const Candidate& own = candidates_[c];
+    chunk.locals.push_back({own.origin, own.cluster, own.cluster});
+    candidates_[c].local = static_cast<std::uint32_t>(c);
+  }
+  for (std::size_t c = 0; c < nOwn; ++c) findTilesOf(c, chunk);
+}
+
+template <int Dim>
+void TileSearch<Dim>::begin(TileChunk<Dim>& chunk, double radius) {
+  chunk.counts.clear();
+  chunk.tiles.clear();
+  chunk.locals.clear();
+  chunk.halo.clear();
+  candidates_.clear();
+  points_.clear();
+  for (std::size_t a = 0; a < Dim; ++a) {
+    centers_[a].clear();
+    halves_[a].clear();
+  }
+  box_ = Box<Dim>::nothing();
+  for (std::size_t c = chunk.firstCluster; c < chunk.firstCluster + chunk.nClusters; ++c)
+    box_.extend(boxOf(*clusters_, c));
+  origin_ = box_.center();
+  double extent = radius;
+  for (int a = 0; a < Dim; ++a) extent += box_.upper[a] - box_.lower[a];
+  radius_ = radius + 1e-6 * extent;  // the search rounds to float
+}
+
+template <int Dim>
+void TileSearch<Dim>::addNear(const ClusterGroup<Dim>& group, const Vec<Dim>& shift) {
+  if (!isNear(group.box, shift)) return;
+  for (std::uint32_t c = group.first; c < group.last; ++c)
+    if (isNear(boxOf(*clusters_, c), shift)) addCandidate(c, shift);
+}
+
+template <int Dim>
+bool TileSearch<Dim>::isNear(const Box<Dim>& box, const Vec<Dim>& shift) const {
+  double distanceSquared = 0;
+  for (int a = 0; a < Dim; ++a) {
+    const double gap = std::max(
+        {box_.lower[a] - box.upper[a] - shift[a], box.lower[a] + shift[a] - box_.upper[a], 0.0});
+    distanceSquared += gap * gap;
+  }
+  return distanceSquared < radius_ * radius_;
+}
+
+template <int Dim>
+void TileSearch<Dim>::addCandidate(std::uint32_t cluster, const Vec<Dim>& shift) {
+  const Vec<Dim> origin = clusters_->origin[cluster] + shift - origin_;
+  candidates_.push_back({origin, cluster, notLocal});
+  for (int a = 0; a < Dim; ++a) {
+    centers_[static_cast<std::size_t>(a)].push_back(static_cast<float>(origin[a]));
+    halves_[static_cast<std::size_t>(a)].push_back(clusters_->halfSize[cluster][a]);
+  }
+  // Where there are fewer than eight particles, the last one again.
+  const std::size_t first = clusters_->firstOf(cluster), end = clusters_->endOf(cluster);
+  const Vec<Dim> toChunk = shift - origin_;
+  const std::size_t before = points_.size();
+  points_.resize(before + clusterSize * Dim);
+  float* x = points_.data() + before;
+  for (int a = 0; a < Dim; ++a)
+    for (std::size_t k = 0; k < clusterSize; ++k)
+      *x++ = static_cast<float>(positions_[std::min(first + k, end - 1)][a] + toChunk[a]);
+}
+
+/// The box around particles [first, last) of a candidate.
+template <int Dim>
+FloatBox<Dim> TileSearch<Dim>::boxOfPoints(std::size_t candidate, std::size_t first,
+                                           std::size_t last) const {
+  FloatBox<Dim> box;
+  const float* x = points_.data() + candidate * clusterSize * Dim;
+  for (int a = 0; a < Dim; ++a, x += clusterSize) {
+    const auto [lower, upper] = std::minmax_element(x + first, x + last);
+    box.center[a] = 0.5f * (*lower + *upper);
+    box.half[a] = 0.5f * (*upper - *lower) * (1 + 1e-6f);
+  }
+  return box;
+}
+
+/// The tiles of both halves of one of the chunk's clusters.
+template <int Dim>
+void TileSearch<Dim>::findTilesOf(std::size_t own, TileChunk<Dim>& chunk) {
+  const auto select = withInstructionSet(instructionSet(),
+                                         [](auto isa) { return &selectBoxes<decltype(isa), Dim>; });
+  const auto selectNear = withInstructionSet(
+      instructionSet(), [](auto isa) { return &selectClusters<decltype(isa), Dim>; });
+  const auto radius = static_cast<float>(radius_);
+
+  // First those near the whole cluster; their boxes side by side.
+  const std::size_t n = candidates_.size();
+  nearCluster_.resize(n + boxPadding);
+  const std::size_t nNear = select(rowsOf<Dim>(centers_, halves_), own, n,
+                                   boxOfPoints(own, 0, clusterSize), radius, nearCluster_.data());
+  for (std::size_t a = 0; a < Dim; ++a) {
+    nearCenters_[a].resize(nNear + boxPadding);
+    nearHalves_[a].resize(nNear + boxPadding);
+    for (std::size_t k = 0; k < nNear; ++k) {
+      nearCenters_[a][k] = centers_[a][nearCluster_[k]];
+      nearHalves_[a][k] = halves_[a][nearCluster_[k]];
+    }
+  }
+  const std::uint32_t cluster = candidates_[own].cluster;
+  nearHalf_.resize(nNear + boxPadding);
+  for (std::size_t part = 0; part < 2; ++part) {
+    const FloatBox<Dim> box =
+        boxOfPoints(own, part * clusterSize / 2, (part + 1) * clusterSize / 2);
+    std::size_t count =
+        select(rowsOf<Dim>(nearCenters_, nearHalves_), 0, nNear, box, radius, nearHalf_.data());
+    count = selectNear(points_.data(), nearCluster_.data(), nearHalf_.data(), count, box, radius,
+                       nearHalf_.data());
+    // Tiles of one kind are consecutive: candidates of fluids come before those of walls, and only
+    // the cluster itself and its images must be picked out.
+    std::array<std::size_t, 3> counts{};
+    for (const bool wantSelf : {true, false})
+      for (std::size_t k = 0; k < count; ++k) {
+        Candidate& other = candidates_[nearHalf_[k]];
+        if (other.cluster < cluster || (other.cluster == cluster) != wantSelf) continue;
+        chunk.tiles.push_back(localOf(other, chunk));
+        ++counts[wantSelf ? 0 : other.cluster < clusters_->nFluidClusters ? 1 : 2];
+      }
+    if (std::ranges::max(counts) > std::numeric_limits<std::uint16_t>::max())
+      throw RunError(fmt::format(
+          "more than {} particles are neighbours of one, near ({:.4g}...): far more than sums over "
+          "neighbours are made for; use a smaller smoothing_length, or look whether particles "
+          "were drawn together there",
+          counts[1] * clusterSize, clusters_->origin[cluster][0]));
+    chunk.counts.push_back({static_cast<std::uint16_t>(counts[0]),
+                            static_cast<std::uint16_t>(counts[1]),
+                            static_cast<std::uint16_t>(counts[2])});
+  }
+}
+
+template <int Dim>
+std::uint32_t TileSearch<Dim>::localOf(Candidate& candidate, TileChunk<Dim>& chunk) {
+  if (candidate.local != notLocal) return candidate.local;
+  candidate.local = static_cast<std::uint32_t>(chunk.locals.size());
+  std::uint32_t sums = candidate.cluster;
+  const bool isOwn = candidate.cluster - chunk.firstCluster < chunk.nClusters;
+  const bool receives = wallsReceive_ || candidate.cluster < clusters_->nFluidClusters;
+  if (!isOwn && receives) {
+    sums = inHalo + static_cast<std::uint32_t>(chunk.halo.size());
+    chunk.halo.push_back(candidate.cluster);
+  }
+  chunk.locals.push_back({candidate.origin, candidate.cluster, sums});
+  return candidate.local;
+}
+
+template class TileSearch<1>;
+template class TileSearch<2>;
+template class TileSearch<3>;
+
+}  // namespace plenum
