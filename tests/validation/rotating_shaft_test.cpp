@@ -8,7 +8,13 @@
 namespace plenum {
 namespace {
 
-std::vector<Figure> runShaft(const test::Changes& changes) {
+/// Both precisions of pairs must show the same physics.
+class RotatingShaft : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Precisions, RotatingShaft, testing::Values("mixed", "double"),
+                         [](const auto& run) { return std::string(run.param); });
+
+std::vector<Figure> runShaft(test::Changes changes) {
+  changes.emplace_back("solver.precision", RotatingShaft::GetParam());
   const auto row = test::runCase<2>("rotating_shaft.toml", changes);
   for (const char* name : {"left", "void1", "f.5", "f.85", "nn_min", "psi6"})
     std::cout << "  " << name << " " << valueOf(row, name) << "\n";
@@ -20,27 +26,27 @@ const std::pair<std::string, std::string> withCollisions{"solver.collisions",
 const std::pair<std::string, std::string> conformalShaft{"wall[0].method", "conformal"};
 const std::pair<std::string, std::string> conformalHousing{"wall[1].method", "conformal"};
 
-TEST(RotatingShaft, HasTheParticlesOfTheSource) {
+TEST(RotatingShaftScene, HasTheParticlesOfTheSource) {
   const auto scene = test::sceneOf<2>("rotating_shaft.toml", {}).first;
   EXPECT_EQ(scene.particles.nFluid(), 1212u);
   EXPECT_EQ(scene.particles.nWalls(), 871u);
 }
 
-TEST(RotatingShaft, TheQuadraticWendlandKernelClustersAndLeaks) {
+TEST_P(RotatingShaft, TheQuadraticWendlandKernelClustersAndLeaks) {
   const auto row = runShaft({{"solver.kernel", "wendland_quadratic"}});
   EXPECT_GT(valueOf(row, "left"), 0);
   EXPECT_GE(valueOf(row, "f.5"), 0.9);     // docs/validation.md: .975
   EXPECT_GE(valueOf(row, "void1"), 0.05);  // .169
 }
 
-TEST(RotatingShaft, TheConvexKernelKeepsAllParticlesAndLeavesNoHoles) {
+TEST_P(RotatingShaft, TheConvexKernelKeepsAllParticlesAndLeavesNoHoles) {
   const auto row = runShaft({{"solver.kernel", "convex"}});
   EXPECT_EQ(valueOf(row, "left"), 0);
   EXPECT_LE(valueOf(row, "f.5"), 0.06);     // .03
   EXPECT_LE(valueOf(row, "void1"), 0.005);  // 0
 }
 
-TEST(RotatingShaft, CollisionsKeepParticlesApart) {
+TEST_P(RotatingShaft, CollisionsKeepParticlesApart) {
   const auto row = runShaft({{"solver.kernel", "wendland_c2_1d"}, withCollisions});
   EXPECT_EQ(valueOf(row, "left"), 0);
   EXPECT_EQ(valueOf(row, "f.5"), 0);
@@ -49,7 +55,7 @@ TEST(RotatingShaft, CollisionsKeepParticlesApart) {
 
 /// Both kinds of wall layers beside each other. For (1.1), which leaks, the counts are printed
 /// only: one run is chaotic and its count differs from compiler to compiler.
-TEST(RotatingShaft, ConformalWallsHoldWithTheConvexKernel) {
+TEST_P(RotatingShaft, ConformalWallsHoldWithTheConvexKernel) {
   std::cout << " lattice walls, wendland_c2_1d\n";
   const auto lattice = runShaft({{"solver.kernel", "wendland_c2_1d"}});
   std::cout << " conformal walls, wendland_c2_1d\n";

@@ -133,9 +133,9 @@ TYPED_TEST(SpatialOrderTest, MakesCompactClusters) {
     std::cout << "  " << n << " random points: mean box of a cluster / volume of 8 points "
               << random << "\n";
     // Eight random points span (7/9)^d of a cubic cell that holds eight. Here some clusters lie
-    // across the ends of columns and cells, and points in a bin are not sorted: 1-D has up to four
-    // in each, half a cluster.
-    EXPECT_LT(random, 1.2);
+    // across the ends of columns, one of 256 has points of two cells and may span both, and points
+    // in a bin are not sorted: 1-D has up to four in each, half a cluster.
+    EXPECT_LT(random, 1.5);
   }
   // A clump with strays is as compact: all but some of its clusters must be small.
   const std::size_t n = 20000;

@@ -39,14 +39,18 @@ void expectNoAllocation(int perAxis, const SolverSettings& settings) {
 }
 
 TEST(Allocation, AStepAllocatesNothing) {
-  SolverSettings settings;
-  settings.viscosity = ViscositySettings{MonaghanSettings{}};
-  settings.collisions = CollisionSettings{};
-  expectNoAllocation<1>(100, settings);
-  expectNoAllocation<2>(30, settings);
-  expectNoAllocation<3>(12, settings);
-  settings.density = "continuity";
-  expectNoAllocation<2>(30, settings);
+  for (const char* precision : {"mixed", "double"}) {
+    SCOPED_TRACE(precision);
+    SolverSettings settings;
+    settings.precision = precision;
+    settings.viscosity = ViscositySettings{MonaghanSettings{}};
+    settings.collisions = CollisionSettings{};
+    expectNoAllocation<1>(100, settings);
+    expectNoAllocation<2>(30, settings);
+    expectNoAllocation<3>(12, settings);
+    settings.density = "continuity";
+    expectNoAllocation<2>(30, settings);
+  }
 }
 
 }  // namespace

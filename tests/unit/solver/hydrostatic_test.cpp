@@ -9,7 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <string>
 
 namespace plenum {
 namespace {
@@ -57,7 +60,7 @@ double latticeMoment(double h) {
   return sum;
 }
 
-TEST(Hydrostatic, TheFirstForceIsTheLatticeMomentOfTheKernel) {
+void expectLatticeMoment(const std::string& precision, double tolerance) {
   SolverSettings settings;
   settings.kernel = "wendland_c2_1d";
   settings.density = "continuity";
@@ -65,23 +68,35 @@ TEST(Hydrostatic, TheFirstForceIsTheLatticeMomentOfTheKernel) {
   settings.soundSpeed = c;
   settings.gravity = {0, -g};
   settings.smoothingLength = 1.5;
+  settings.precision = precision;
   const double moment = latticeMoment<kernel::WendlandC2OneD>(1.5 * d);
   EXPECT_NEAR(moment - 1, -0.00761, 1e-5);  // docs/validation.md: -.761 %, to the digits given
 
   Simulation<2> simulation(column(), settings);
   simulation.step(1e-9);
   const auto& particles = simulation.particles();
+  const auto accelerations = simulation.engine().sums(field::acceleration);
   int nChecked = 0;
+  double worst = 0;
   for (std::size_t i = 0; i < particles.nFluid(); ++i) {
     const double y = particles[field::position][i][1];
     if (y > waterHeight - 3.1 * d) continue;  // the free surface lacks neighbours
     const double expected = g * rho0 / densityAt(y) * moment;
-    // Sums of some 30 terms of p/rho^2 dW of 1e3 m/s^2 that cancel: 1e-12 of them.
-    EXPECT_NEAR(particles[field::acceleration][i][1], expected, 1e-8);
-    EXPECT_NEAR(particles[field::acceleration][i][0], 0, 1e-8);
+    EXPECT_NEAR(accelerations[i][1], expected, tolerance);
+    EXPECT_NEAR(accelerations[i][0], 0, tolerance);
+    worst = std::max(
+        {worst, std::abs(accelerations[i][1] - expected), std::abs(accelerations[i][0])});
     ++nChecked;
   }
   EXPECT_EQ(nChecked, 36 * nColumns);
+  std::cout << "  " << precision << ": largest deviation " << worst << " m/s^2\n";
+}
+
+// Sums of some 30 terms of p/rho^2 dW of up to 1e3 m/s^2 that cancel: 1e-12 of them, and 5e-7 where
+// pairs are in float (1e-4 m/s^2 was seen).
+TEST(Hydrostatic, TheFirstForceIsTheLatticeMomentOfTheKernel) {
+  expectLatticeMoment("double", 1e-8);
+  expectLatticeMoment("mixed", 5e-4);
 }
 
 }  // namespace

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The loops that are compiled for each instruction set: every list of terms, some kernels with a
+// loop of their own and one of those that share a loop, against a double loop over particles.
+#include "engine/engine.hpp"
+#include "engine/instruction_set.hpp"
+#include "solver/pass_choice.hpp"
+#include "tests/support/pair_sums.hpp"
+#include "tests/support/random_particles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace plenum {
+namespace {
+
+constexpr InstructionSet allSets[] = {InstructionSet::baseline, InstructionSet::avx2,
+                                      InstructionSet::avx512};
+
+PassChoice choiceOf(const std::string& kernel, int termList) {
+  PassChoice choice;
+  choice.kernel = KernelId::named(kernel).index();
+  choice.termList = termList;
+  choice.smoothingLength = 0.15;
+  static_cast<term::MonaghanViscosity&>(choice.terms) = {0.8, 1.5, 10};
+  static_cast<term::Collision&>(choice.terms) = {0.3, 0.08};
+  return choice;
+}
+
+/// See pair_loop_test.cpp. Terms of two quotients and cancelling pressures are off by some more.
+double toleranceOf(Precision precision) { return precision == Precision::mixed ? 1e-5 : 1e-13; }
+
+template <int Dim, class List>
+double deviationOf(InstructionSet set, Precision precision, const PassChoice& choice, List list) {
+  const Box<Dim> box = test::unitBox<Dim>(true);
+  auto particles = test::randomParticles<Dim>(box, 250, 60);
+  Engine<Dim> engine(box, {2 * choice.smoothingLength, 0.2, true, precision});
+  engine.update(particles);
+  PairPass<Dim> pass;
+  pass.reads = list.reads;
+  pass.writes = list.writes;
+  pass.receivers = Group::all;
+  pass.parameters = std::make_shared<const PassChoice>(choice);
+  withInstructionSet(set, [&](auto isa) {
+    pass.inFloat = tileFunction<decltype(isa), float, Dim>(choice);
+    pass.inDouble = tileFunction<decltype(isa), double, Dim>(choice);
+  });
+  engine.run(pass, particles);
+  const auto compare = [&]<class... Terms>(TermList<Terms...>) {
+    const Pass<kernel::Any, Terms...> reference{{KernelId(choice.kernel)},
+                                                choice.smoothingLength,
+                                                {static_cast<const Terms&>(choice.terms)...}};
+    return test::worstDeviation(
+        engine, list.writes, particles,
+        test::sumOfAllPairs<Dim>(reference, particles, box, Group::all, Group::all), Group::all);
+  };
+  return compare(list);
+}
+
+template <int Dim>
+void expectEqualToDoubleLoop() {
+  for (const InstructionSet set : allSets) {
+    if (!isAvailable(set)) {
+      std::cout << "  " << static_cast<int>(set) << ": not on this processor\n";
+      continue;
+    }
+    for (const Precision precision : test::bothPrecisions) {
+      std::cout << "  " << Dim << "-D, " << nameOf(set) << ", " << test::nameOf(precision)
+                << ": largest deviation / typical sum of |terms|, by list:";
+      int termList = 0;
+      forEachTermList([&](auto list) {
+        double worst = 0;
+        for (const char* kernel : {"cubic_spline", "wendland_c2", "convex", "quintic_spline"}) {
+          const double deviation =
+              deviationOf<Dim>(set, precision, choiceOf(kernel, termList), list);
+          EXPECT_LE(deviation, toleranceOf(precision))
+              << nameOf(set) << ", " << test::nameOf(precision) << ", list " << termList << ", "
+              << kernel;
+          worst = std::max(worst, deviation);
+        }
+        std::cout << " " << worst;
+        ++termList;
+      });
+      std::cout << "\n";
+    }
+  }
+}
+
+TEST(PairLoops, EqualADoubleLoopIn1D) { expectEqualToDoubleLoop<1>(); }
+TEST(PairLoops, EqualADoubleLoopIn2D) { expectEqualToDoubleLoop<2>(); }
+TEST(PairLoops, EqualADoubleLoopIn3D) { expectEqualToDoubleLoop<3>(); }
+
+TEST(PairLoops, EveryListAndKernelHasALoop) {
+  for (const InstructionSet set : allSets)
+    withInstructionSet(set, [&](auto isa) {
+      using Isa = decltype(isa);
+      int termList = 0;
+      forEachTermList([&](auto list) {
+        EXPECT_EQ(indexOf<decltype(list)>(), termList);
+        for (const std::string& kernel : KernelId::names()) {
+          const PassChoice choice = choiceOf(kernel, termList);
+          EXPECT_NE((tileFunction<Isa, float, 1>(choice)), nullptr);
+          EXPECT_NE((tileFunction<Isa, double, 1>(choice)), nullptr);
+          EXPECT_NE((tileFunction<Isa, float, 2>(choice)), nullptr);
+          EXPECT_NE((tileFunction<Isa, double, 2>(choice)), nullptr);
+          EXPECT_NE((tileFunction<Isa, float, 3>(choice)), nullptr);
+          EXPECT_NE((tileFunction<Isa, double, 3>(choice)), nullptr);
+        }
+        ++termList;
+      });
+    });
+}
+
+}  // namespace
+}  // namespace plenum
