@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <new>
+#include <span>
 #include <vector>
 
 namespace plenum {
@@ -34,5 +35,33 @@ struct CacheLineAllocator {
 /// A vector whose `resize` leaves new numbers unset.
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
+
+/// Memory that several uses share one after the other: `begin`, then `take` as often as needed.
+class Arena {
+ public:
+  /// Makes room for `bytes` in all, with a little to spare so that slow growth allocates seldom.
+  void begin(std::size_t bytes) {
+    used_ = 0;
+    bytes += 8 * 64;  // what aligning the parts may cost
+    if (bytes > bytes_.size()) {
+      bytes_ = {};  // before the larger one is there
+      bytes_.resize(bytes + bytes / 64);
+    }
+  }
+
+  /// Room for n values, unset; at most eight times.
+  template <class T>
+  std::span<T> take(std::size_t n) {
+    T* first = reinterpret_cast<T*>(bytes_.data() + used_);
+    used_ += (n * sizeof(T) + 63) / 64 * 64;
+    return {first, n};
+  }
+
+  std::size_t bytes() const { return bytes_.size(); }
+
+ private:
+  AlignedVector<std::byte> bytes_;
+  std::size_t used_ = 0;
+};
 
 }  // namespace plenum

@@ -2,11 +2,12 @@
 #include "engine/engine.hpp"
 
 #include "engine/instruction_set.hpp"
+#include "engine/load_clusters.hpp"
 #include "particles/errors.hpp"
 #include "particles/parallel.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cassert>
@@ -39,13 +40,14 @@ bool Engine<Dim>::update(ParticleSet<Dim>& particles) {
     sort(particles);
     search(particles);
   }
-  if (options_.precision == Precision::mixed) {
-    loadPositions(inFloat_, particles);
-    findNear(inFloat_);
-  } else {
-    loadPositions(inDouble_, particles);
-    findNear(inDouble_);
-  }
+  const auto prepare = [&](auto& numbers) {
+    loadPositions(numbers, particles);
+    findNear(numbers);
+  };
+  if (options_.precision == Precision::mixed)
+    prepare(inFloat_);
+  else
+    prepare(inDouble_);
   return old;
 }
 
@@ -53,16 +55,18 @@ template <int Dim>
 void Engine<Dim>::sort(ParticleSet<Dim>& particles) {
   const auto sorting = watch_.lap(Part::sort);
   const auto positions = particles[field::position];
-  const std::size_t n = positions.size(), nFluid = particles.nFluid();
+  const std::size_t n = positions.size();
   forEachIndex(n, [&](std::size_t i) { positions[i] = domain_.wrap(positions[i]); });
-  fluidOrder_.sort(positions.first(nFluid));
-  wallOrder_.sort(positions.subspan(nFluid));
-  order_.resize(n);
-  std::ranges::copy(fluidOrder_.order(), order_.begin());
-  std::ranges::transform(
-      wallOrder_.order(), order_.begin() + static_cast<std::ptrdiff_t>(nFluid),
-      [nFluid](std::uint32_t k) { return static_cast<std::uint32_t>(nFluid + k); });
-  particles.permute(order_);
+  const std::size_t nFluid = particles.nFluid(), nWalls = n - nFluid;
+  arena_.begin(3 * n * sizeof(std::uint32_t) + n * ParticleSet<Dim>::permuteBytes);
+  const auto order = arena_.take<std::uint32_t>(n);
+  const auto sorted = arena_.take<std::uint32_t>(n), cells = arena_.take<std::uint32_t>(n);
+  spatialOrder_.sort(positions.first(nFluid), order.first(nFluid), sorted.first(nFluid),
+                     cells.first(nFluid));
+  spatialOrder_.sort(positions.subspan(nFluid), order.last(nWalls), sorted.last(nWalls),
+                     cells.last(nWalls));
+  for (std::uint32_t& k : order.last(nWalls)) k += static_cast<std::uint32_t>(nFluid);
+  particles.permute(order, arena_.take<std::byte>(n * ParticleSet<Dim>::permuteBytes));
 }
 
 template <int Dim>
@@ -86,86 +90,6 @@ void Engine<Dim>::search(const ParticleSet<Dim>& particles) {
 }
 
 template <int Dim>
-template <class T>
-void Engine<Dim>::loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& particles) {
-  const auto positions = particles[field::position];
-  const auto loading = watch_.lap(Part::load);
-  numbers.positions.resize(clusters_.nClusters * Dim * clusterSize);
-  // Places without a particle lie so far away that no kernel reaches them.
-  const double away = 1e4 * options_.support;
-  forEachIndex(clusters_.nClusters, [&](std::size_t c) {
-    T* block = numbers.positions.data() + c * Dim * clusterSize;
-    const std::size_t first = clusters_.firstOf(c), count = clusters_.endOf(c) - first;
-    const Vec<Dim> origin = clusters_.origin[c];
-    for (std::size_t k = 0; k < count; ++k) {
-      const Vec<Dim> x = periodicity_.nearestImage(positions[first + k] - origin);
-      for (std::size_t a = 0; a < Dim; ++a)
-        block[a * clusterSize + k] = static_cast<T>(x[static_cast<int>(a)]);
-    }
-    for (std::size_t k = count; k < clusterSize; ++k)
-      for (std::size_t a = 0; a < Dim; ++a)
-        block[a * clusterSize + k] = static_cast<T>(away * static_cast<double>(k + 1));
-  });
-}
-
-template <int Dim>
-template <class T>
-void Engine<Dim>::loadFields(Numbers<T>& numbers, FieldSet reads,
-                             const ParticleSet<Dim>& particles) {
-  const auto loading = watch_.lap(Part::load);
-  const std::size_t block = static_cast<std::size_t>(componentsOf<Dim>(reads)) * clusterSize;
-  numbers.fields.resize(clusters_.nClusters * block);
-  std::size_t first = 0;
-  particles.forEachField([&](const FieldInfo& info, auto values) {
-    if (!reads.has(info.id)) return;
-    using Value = typename decltype(values)::value_type;
-    if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, Vec<Dim>>) {
-      forEachIndex(clusters_.nClusters, [&, first](std::size_t c) {
-        T* row = numbers.fields.data() + c * block + first * clusterSize;
-        const std::size_t begin = clusters_.firstOf(c), end = clusters_.endOf(c);
-        for (std::size_t k = 0; k < clusterSize; ++k) {
-          const Value& value = values[std::min(begin + k, end - 1)];
-          if constexpr (std::is_same_v<Value, double>)
-            row[k] = static_cast<T>(value);
-          else
-            for (std::size_t a = 0; a < Dim; ++a)
-              row[a * clusterSize + k] = static_cast<T>(value[static_cast<int>(a)]);
-        }
-      });
-      first += static_cast<std::size_t>(componentsOf<Dim>(info.id));
-    }
-  });
-}
-
-template <int Dim>
-template <class T>
-TileWork<Dim, T> Engine<Dim>::workOf(Numbers<T>& numbers, TileChunk<Dim>& chunk) {
-  TileWork<Dim, T> work{};
-  work.counts = chunk.counts.data();
-  work.tiles = chunk.tiles.data();
-  work.locals = chunk.locals.data();
-  work.firstCluster = chunk.firstCluster;
-  work.nClusters = chunk.nClusters;
-  work.positions = numbers.positions.data();
-  work.fields = numbers.fields.data();
-  work.sums = numbers.sums.data();
-  return work;
-}
-
-template <int Dim>
-template <class T>
-void Engine<Dim>::findNear(Numbers<T>& numbers) {
-  const auto searching = watch_.lap(Part::search);
-  const auto find = withInstructionSet(
-      instructionSet(), [](auto isa) { return &findNearTiles<decltype(isa), T, Dim>; });
-  const auto chunks = list_.chunks();
-  // Numbers relative to clusters round positions by less than this.
-  const double radius = options_.support * (1 + 1e-5);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t c = 0; c < chunks.size(); ++c) find(workOf(numbers, chunks[c]), radius);
-}
-
-template <int Dim>
 void Engine<Dim>::run(const PairPass<Dim>& pass, const ParticleSet<Dim>& particles) {
   assert(clusters_.nParticles == particles.size());
   assert(pass.receivers == Group::fluids || options_.wallsReceive);
@@ -180,51 +104,150 @@ template <int Dim>
 template <class T>
 void Engine<Dim>::run(Numbers<T>& numbers, const PairPass<Dim>& pass, TileFunction<Dim, T> function,
                       const ParticleSet<Dim>& particles) {
+  const std::size_t nIn = static_cast<std::size_t>(componentsOf<Dim>(pass.reads)) * clusterSize;
+  const std::size_t nOut = static_cast<std::size_t>(componentsOf<Dim>(pass.writes)) * clusterSize;
+  arena_.begin((clusters_.nClusters * nIn + list_.nSumPlaces() * nOut) * sizeof(T));
+  numbers.fields = arena_.template take<T>(clusters_.nClusters * nIn);
+  numbers.sums = arena_.template take<T>(list_.nSumPlaces() * nOut);
   loadFields(numbers, pass.reads, particles);
-  const auto summing = watch_.lap(Part::pairs);
-  const std::size_t block = static_cast<std::size_t>(componentsOf<Dim>(pass.writes)) * clusterSize;
-  numbers.sums.resize(list_.nSumPlaces() * block);
-  const auto chunks = list_.chunks();
-  const std::size_t nFluidChunks = list_.nFluidChunks();
-  const auto isPartOf = [&](std::size_t c) { return c < nFluidChunks || hasWalls(pass.receivers); };
 
+  const auto summing = watch_.lap(Part::pairs);
+  const auto chunks = list_.chunks();
+  const auto takesPart = [&](std::size_t c) {
+    return c < list_.nFluidChunks() || hasWalls(pass.receivers);
+  };
 #pragma omp parallel
   {
 #pragma omp for schedule(dynamic, 1)
     for (std::size_t c = 0; c < chunks.size(); ++c) {
-      if (!isPartOf(c)) continue;
-      TileChunk<Dim>& chunk = chunks[c];
-      TileWork<Dim, T> work = workOf(numbers, chunk);
-      const bool isFluid = c < nFluidChunks;
-      const bool ownSources = isFluid ? hasFluids(pass.sources) : hasWalls(pass.sources);
-      work.fluidTiles = ownSources && (isFluid ? hasFluids(pass.receivers) : true);
-      work.fromWalls = hasWalls(pass.sources) && (isFluid ? hasFluids(pass.receivers) : true);
-      work.toWalls = hasWalls(pass.receivers) && (isFluid ? hasFluids(pass.sources) : ownSources);
-      work.wallTiles = work.fromWalls || work.toWalls;
-      std::fill_n(work.sums + chunk.firstCluster * block, chunk.nClusters * block, T(0));
-      std::fill_n(work.sums + chunk.firstHalo * block, chunk.halo.size() * block, T(0));
+      if (!takesPart(c)) continue;
+      const TileChunk<Dim>& chunk = chunks[c];
+      const TileWork<Dim, T> work = workOf(numbers, c, pass);
+      std::fill_n(work.sums + chunk.firstCluster * nOut, chunk.nClusters * nOut, T(0));
+      std::fill_n(work.sums + chunk.firstHalo * nOut, chunk.halo.size() * nOut, T(0));
       function(work, pass.parameters.get());
     }
 #pragma omp for schedule(static)
     for (std::size_t c = 0; c < chunks.size(); ++c) {
-      if (!isPartOf(c)) continue;
+      if (!takesPart(c)) continue;
       for (const auto& addition : list_.additionsTo(c)) {
-        T* to = numbers.sums.data() + addition.to * block;
-        const T* from = numbers.sums.data() + addition.from * block;
-        for (std::size_t k = 0; k < block; ++k) to[k] += from[k];
+        T* to = numbers.sums.data() + addition.to * nOut;
+        const T* from = numbers.sums.data() + addition.from * nOut;
+        for (std::size_t k = 0; k < nOut; ++k) to[k] += from[k];
       }
     }
   }
 }
 
 template <int Dim>
+template <class T>
+TileWork<Dim, T> Engine<Dim>::workOf(Numbers<T>& numbers, std::size_t c) {
+  TileChunk<Dim>& chunk = list_.chunks()[c];
+  TileWork<Dim, T> work{};
+  work.counts = chunk.counts.data();
+  work.tiles = chunk.tiles.data();
+  work.locals = chunk.locals.data();
+  work.nClusters = chunk.nClusters;
+  work.positions = numbers.positions.data();
+  work.fields = numbers.fields.data();
+  work.sums = numbers.sums.data();
+  return work;
+}
+
+template <int Dim>
+template <class T>
+TileWork<Dim, T> Engine<Dim>::workOf(Numbers<T>& numbers, std::size_t c,
+                                     const PairPass<Dim>& pass) {
+  // Chunks of walls have tiles among walls only.
+  const bool isFluid = c < list_.nFluidChunks();
+  const bool receives = isFluid ? hasFluids(pass.receivers) : hasWalls(pass.receivers);
+  const bool gives = isFluid ? hasFluids(pass.sources) : hasWalls(pass.sources);
+  TileWork<Dim, T> work = workOf(numbers, c);
+  work.fluidTiles = receives && gives;
+  work.fromWalls = receives && hasWalls(pass.sources);
+  work.toWalls = gives && hasWalls(pass.receivers);
+  work.wallTiles = work.fromWalls || work.toWalls;
+  return work;
+}
+
+/// Calls body(run) for runs of clusters that together are all, from all threads.
+template <int Dim>
+template <class Body>
+void Engine<Dim>::forEachRun(Body&& body) const {
+  constexpr std::size_t size = 256;
+  const std::size_t nFluidRuns = (clusters_.nFluidClusters + size - 1) / size;
+  const std::size_t nWallRuns = (clusters_.nClusters - clusters_.nFluidClusters + size - 1) / size;
+#pragma omp parallel for schedule(static)
+  for (std::size_t r = 0; r < nFluidRuns + nWallRuns; ++r) {
+    const bool isFluid = r < nFluidRuns;
+    const std::size_t first =
+        isFluid ? r * size : clusters_.nFluidClusters + (r - nFluidRuns) * size;
+    const std::size_t last =
+        std::min(first + size, isFluid ? clusters_.nFluidClusters : clusters_.nClusters);
+    const std::size_t begin = clusters_.firstOf(first);
+    body(ClusterRun{first, last - first, begin, clusters_.endOf(last - 1) - begin});
+  }
+}
+
+template <int Dim>
+template <class T>
+void Engine<Dim>::loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& particles) {
+  const auto loading = watch_.lap(Part::load);
+  numbers.positions.resize(clusters_.nClusters * Dim * clusterSize);
+  const PositionSource<Dim> source{particles[field::position].data(),
+                                   clusters_.origin.data(),
+                                   periodicity_.period,
+                                   periodicity_.half,
+                                   domain_.anyPeriodic(),
+                                   1e4 * options_.support};
+  const auto load = withInstructionSet(
+      instructionSet(), [](auto isa) { return &plenum::loadPositions<decltype(isa), T, Dim>; });
+  forEachRun([&](const ClusterRun& run) {
+    load(source, run, numbers.positions.data() + run.firstCluster * Dim * clusterSize);
+  });
+}
+
+template <int Dim>
+template <class T>
+void Engine<Dim>::loadFields(Numbers<T>& numbers, FieldSet reads,
+                             const ParticleSet<Dim>& particles) {
+  const auto loading = watch_.lap(Part::load);
+  const std::size_t stride = static_cast<std::size_t>(componentsOf<Dim>(reads)) * clusterSize;
+  const auto [loadScalar, loadVector] = withInstructionSet(instructionSet(), [](auto isa) {
+    return std::pair(&loadField<decltype(isa), T, 1>, &loadField<decltype(isa), T, Dim>);
+  });
+  forEachRun([&, loadScalar = loadScalar, loadVector = loadVector](const ClusterRun& run) {
+    T* to = numbers.fields.data() + run.firstCluster * stride;
+    particles.forEachField([&](const FieldInfo& info, auto values) {
+      if (!reads.has(info.id)) return;
+      using Value = typename decltype(values)::value_type;
+      if constexpr (std::is_same_v<Value, double>)
+        loadScalar(values.data() + run.firstParticle, run, stride, to);
+      else if constexpr (std::is_same_v<Value, Vec<Dim>>)
+        loadVector(&values[run.firstParticle].components[0], run, stride, to);
+      to += static_cast<std::size_t>(componentsOf<Dim>(info.id)) * clusterSize;
+    });
+  });
+}
+
+template <int Dim>
+template <class T>
+void Engine<Dim>::findNear(Numbers<T>& numbers) {
+  const auto searching = watch_.lap(Part::search);
+  const auto find = withInstructionSet(
+      instructionSet(), [](auto isa) { return &findNearTiles<decltype(isa), T, Dim>; });
+  // Numbers relative to clusters round positions by less than this.
+  const double radius = options_.support * (1 + 1e-5);
+  const std::size_t nChunks = list_.chunks().size();
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::size_t c = 0; c < nChunks; ++c) find(workOf(numbers, c), radius);
+}
+
+template <int Dim>
 std::size_t Engine<Dim>::bytes() const {
-  const auto bytesOf = [](const auto& numbers) {
-    return (numbers.positions.capacity() + numbers.fields.capacity() + numbers.sums.capacity()) *
-           sizeof(numbers.sums[0]);
-  };
-  return clusters_.bytes() + list_.bytes() + fluidOrder_.bytes() + wallOrder_.bytes() +
-         order_.capacity() * sizeof(order_[0]) + bytesOf(inFloat_) + bytesOf(inDouble_);
+  return clusters_.bytes() + list_.bytes() + arena_.bytes() +
+         inFloat_.positions.capacity() * sizeof(float) +
+         inDouble_.positions.capacity() * sizeof(double);
 }
 
 template class Engine<1>;

@@ -115,8 +115,7 @@ class Engine {
   template <class T>
   struct Numbers {
     AlignedVector<T> positions;  ///< relative to the origin of the cluster
-    AlignedVector<T> fields;
-    AlignedVector<T> sums;
+    std::span<T> fields, sums;   ///< of the last pass, in the arena
   };
 
   void sort(ParticleSet<Dim>& particles);
@@ -125,13 +124,17 @@ class Engine {
   void loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& particles);
   template <class T>
   void loadFields(Numbers<T>& numbers, FieldSet reads, const ParticleSet<Dim>& particles);
-  template <class T>
-  TileWork<Dim, T> workOf(Numbers<T>& numbers, TileChunk<Dim>& chunk);
+  template <class Body>
+  void forEachRun(Body&& body) const;
   template <class T>
   void findNear(Numbers<T>& numbers);
   template <class T>
   void run(Numbers<T>& numbers, const PairPass<Dim>& pass, TileFunction<Dim, T> function,
            const ParticleSet<Dim>& particles);
+  template <class T>
+  TileWork<Dim, T> workOf(Numbers<T>& numbers, std::size_t chunk);
+  template <class T>
+  TileWork<Dim, T> workOf(Numbers<T>& numbers, std::size_t chunk, const PairPass<Dim>& pass);
 
   Box<Dim> domain_;
   Options options_;
@@ -139,8 +142,8 @@ class Engine {
   double skin_ = 0;        // [m]
   double usableSkin_ = 0;  // of the present list [m]
   double travelled_ = 0;   // since the last search [m]
-  SpatialOrder<Dim> fluidOrder_, wallOrder_;
-  std::vector<std::uint32_t> order_;
+  SpatialOrder<Dim> spatialOrder_;
+  Arena arena_;  // of a sort, then of each pass
   Clusters<Dim> clusters_;
   TileList<Dim> list_;
   Numbers<float> inFloat_;

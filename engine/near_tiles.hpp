@@ -18,10 +18,10 @@ class NearTiles {
       : work_(work), limit_(static_cast<T>(radius * radius)) {}
 
   void find() const {
-    std::uint32_t* tile = work_.tiles;
+    std::uint16_t* tile = work_.tiles;
     for (std::uint32_t half = 0; half < 2 * work_.nClusters; ++half) {
       TileCounts& count = work_.counts[half];
-      const T* block = work_.positions + std::size_t{work_.firstCluster + half / 2} * Dim * n +
+      const T* block = work_.positions + std::size_t{work_.locals[half / 2].cluster} * (Dim * n) +
                        half % 2 * nReceivers;
       Real x[nReceivers][Dim];
       for (int c = 0; c < nReceivers; ++c)
@@ -39,12 +39,12 @@ class NearTiles {
  private:
   /// Swaps each near tile with the first one that is not; without a branch.
   [[gnu::always_inline]] std::uint16_t nearFirst(const Real (&x)[nReceivers][Dim],
-                                                 const Vec<Dim>& origin, std::uint32_t* tile,
+                                                 const Vec<Dim>& origin, std::uint16_t* tile,
                                                  std::uint32_t count) const {
     std::uint32_t nNear = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
-      const std::uint32_t candidate = tile[k];
-      const bool near = isNear(x, origin, work_.locals[candidate]);
+      const std::uint16_t candidate = tile[k];
+      const bool near = isNear(x, origin, candidate);
       tile[k] = tile[nNear];
       tile[nNear] = candidate;
       nNear += near;
@@ -53,8 +53,9 @@ class NearTiles {
   }
 
   [[gnu::always_inline]] bool isNear(const Real (&x)[nReceivers][Dim], const Vec<Dim>& origin,
-                                     const LocalCluster<Dim>& local) const {
-    const T* block = work_.positions + std::size_t{local.cluster} * Dim * n;
+                                     std::size_t candidate) const {
+    const LocalCluster<Dim>& local = work_.locals[candidate];
+    const T* block = work_.positions + std::size_t{local.cluster} * (Dim * n);
     Real least(limit_);
     for (int part = 0; part < n; part += lanes) {
       Real y[Dim];

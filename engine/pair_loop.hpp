@@ -76,7 +76,7 @@ class TileLoop {
   TileLoop(const TileWork<Dim, T>& work, const P& pass) : work_(work), constants_(pass) {}
 
   void run() const {
-    const std::uint32_t* tile = work_.tiles;
+    const std::uint16_t* tile = work_.tiles;
     for (std::uint32_t half = 0; half < 2 * work_.nClusters; ++half) {
       sumHalf(half, tile, work_.counts[half]);
       tile += work_.counts[half].all();
@@ -85,13 +85,14 @@ class TileLoop {
 
  private:
   /// The sums of half a cluster, and those that its tiles give to the neighbours.
-  void sumHalf(std::uint32_t half, const std::uint32_t* tile, const TileCounts& count) const {
-    const std::size_t cluster = work_.firstCluster + half / 2;
+  void sumHalf(std::uint32_t half, const std::uint16_t* tile, const TileCounts& count) const {
+    const std::size_t own = half / 2;
     const std::size_t firstLane = half % 2 * nReceivers;
-    const Vec<Dim> origin = work_.locals[half / 2].origin;
+    const Vec<Dim> origin = work_.locals[own].origin;
     Particle receivers[nReceivers];
     for (std::size_t c = 0; c < nReceivers; ++c)
-      receivers[c] = particle(cluster, [&](const T* x) { return Real(x[firstLane + c]); });
+      receivers[c] =
+          particle(work_.locals[own].cluster, [&](const T* x) { return Real(x[firstLane + c]); });
     Totals totals[nReceivers];
     if (work_.fluidTiles) {
       addTiles<false>(receivers, totals, origin, tile, count.nearSelf);
@@ -108,7 +109,7 @@ class TileLoop {
         for (int c = 0; c < nReceivers; ++c)
           for (int k = 0; k < nOut; ++k) totals[c].of[k] += fromWalls[c].of[k];
     }
-    T* out = work_.sums + cluster * (nOut * n) + firstLane;
+    T* out = work_.sums + std::size_t{work_.locals[own].sums} * (nOut * n) + firstLane;
     for (int k = 0; k < nOut; ++k)
       for (int c = 0; c < nReceivers; ++c) out[k * n + c] += sumOfLanes(totals[c].of[k]);
   }
@@ -116,7 +117,7 @@ class TileLoop {
   template <bool toNeighbours>
   [[gnu::noinline]] void addTiles(const Particle (&receivers)[nReceivers],
                                   Totals (&totals)[nReceivers], const Vec<Dim>& origin,
-                                  const std::uint32_t* tiles, std::uint32_t nTiles) const {
+                                  const std::uint16_t* tiles, std::uint32_t nTiles) const {
     const Constants constants = constants_;  // a copy that no store can change
     for (std::uint32_t k = 0; k < nTiles; ++k) {
       const LocalCluster<Dim>& local = work_.locals[tiles[k]];

@@ -25,6 +25,8 @@ struct Periodicity {
       }
   }
 
+  bool any() const { return period != Vec<Dim>{}; }
+
   Vec<Dim> nearestImage(Vec<Dim> d) const {
     for (int a = 0; a < Dim; ++a) {
       d[a] -= select(d[a] > half[a], period[a], 0.0);

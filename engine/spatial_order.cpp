@@ -3,10 +3,13 @@
 
 #include "particles/parallel.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace plenum {
 
@@ -63,52 +66,61 @@ struct Serpentine {
   }
 };
 
-template <int Dim, class Index>
-Box<Dim> boundsOf(std::span<const Vec<Dim>> points, std::span<const Index> indices) {
+template <int Dim>
+Box<Dim> boundsOf(std::span<const Vec<Dim>> points, std::span<const std::uint32_t> indices) {
   Box<Dim> box = Box<Dim>::nothing();
-  for (const Index i : indices) {
-    const Vec<Dim>& x = points[i];
-    for (int a = 0; a < Dim; ++a) {
-      box.lower[a] = std::min(box.lower[a], x[a]);
-      box.upper[a] = std::max(box.upper[a], x[a]);
+  for (int a = 0; a < Dim; ++a) {
+    double lower = box.lower[a], upper = box.upper[a];
+    const std::size_t n = indices.size();
+#pragma omp parallel for schedule(static) reduction(min      \
+                                                    : lower) \
+    reduction(max                                            \
+              : upper) if (n >= worthThreads)
+    for (std::size_t k = 0; k < n; ++k) {
+      lower = std::min(lower, points[indices[k]][a]);
+      upper = std::max(upper, points[indices[k]][a]);
     }
+    box.lower[a] = lower;
+    box.upper[a] = upper;
   }
   return box;
 }
 
 }  // namespace
 
-/// Work space of `pack`, one a thread.
+/// Orders the points of a cell by slabs, columns and the last axis.
 template <int Dim>
-struct SpatialOrder<Dim>::Scratch {
-  std::vector<std::uint32_t> key, other, count;
+struct SpatialOrder<Dim>::Packer {
+  std::vector<std::uint32_t> keys, count, other;
 
-  /// Sorts `indices` by key[k] in [0, nKeys), stable; keys go along.
-  void sortByKey(std::span<std::uint32_t> indices, std::size_t nKeys) {
-    count.assign(nKeys + 1, 0);
-    const std::size_t n = indices.size();
-    for (std::size_t k = 0; k < n; ++k) ++count[key[k] + 1];
-    for (std::size_t k = 0; k < nKeys; ++k) count[k + 1] += count[k];
-    other.resize(n);
-    for (std::size_t k = 0; k < n; ++k) other[count[key[k]]++] = indices[k];
-    std::ranges::copy(std::span(other).first(n), indices.begin());
-  }
+  void pack(std::span<const Vec<Dim>> points, std::span<std::uint32_t> indices);
+
+ private:
+  void sortByKey(std::span<std::uint32_t> indices, std::size_t nKeys);
 };
 
-/// Orders a range of at most a few cells' points by slabs, columns and the last axis.
+/// Sorts `indices` by keys[k] in [0, nKeys), stable.
 template <int Dim>
-void SpatialOrder<Dim>::pack(std::span<const Vec<Dim>> points, std::size_t first, std::size_t last,
-                             Scratch& scratch) {
-  const std::span<std::uint32_t> indices(order_.data() + first, last - first);
+void SpatialOrder<Dim>::Packer::sortByKey(std::span<std::uint32_t> indices, std::size_t nKeys) {
+  count.assign(nKeys + 1, 0);
+  const std::size_t n = indices.size();
+  for (std::size_t k = 0; k < n; ++k) ++count[keys[k] + 1];
+  for (std::size_t k = 0; k < nKeys; ++k) count[k + 1] += count[k];
+  other.resize(n);
+  for (std::size_t k = 0; k < n; ++k) other[count[keys[k]]++] = indices[k];
+  std::ranges::copy(std::span(other).first(n), indices.begin());
+}
+
+template <int Dim>
+void SpatialOrder<Dim>::Packer::pack(std::span<const Vec<Dim>> points,
+                                     std::span<std::uint32_t> indices) {
   const std::size_t n = indices.size();
   if (n <= clusterSize) return;
-  const Box<Dim> box = boundsOf<Dim, std::uint32_t>(points, indices);
-  const double nClusters = static_cast<double>(n) / clusterSize;
-  scratch.key.resize(n);
-
+  const Box<Dim> box = boundsOf<Dim>(points, std::span<const std::uint32_t>(indices));
+  keys.resize(n);
   // Groups of consecutive places, of equal size on every level: all points, slabs, columns.
   std::size_t groupSize = n;
-  double clustersLeft = nClusters;  // in a group
+  double clustersLeft = static_cast<double>(n) / clusterSize;  // in a group
   for (int a = 0; a < Dim; ++a) {
     const double length = box.upper[a] - box.lower[a];
     const std::size_t nGroups = (n + groupSize - 1) / groupSize;
@@ -121,67 +133,96 @@ void SpatialOrder<Dim>::pack(std::span<const Vec<Dim>> points, std::size_t first
       auto bin = static_cast<std::uint32_t>((points[indices[k]][a] - box.lower[a]) * binsPerLength);
       bin = std::min(bin, nBins - 1);
       if ((group & 1) != 0) bin = nBins - 1 - bin;  // serpentine: neighbours touch at their ends
-      scratch.key[k] = group * nBins + bin;
+      keys[k] = group * nBins + bin;
     }
-    scratch.sortByKey(indices, nGroups * nBins);
+    sortByKey(indices, nGroups * nBins);
     if (a == Dim - 1) break;
     // The next cut makes groups whose clusters are about cubic.
     double rest = 1;
     for (int b = a + 1; b < Dim; ++b) rest *= std::max(box.upper[b] - box.lower[b], 1e-300);
     const double edge = std::pow(std::max(length, 1e-300) * rest / clustersLeft, 1.0 / (Dim - a));
     const double nSlabs = std::clamp(std::round(length / edge), 1.0, clustersLeft);
-    clustersLeft /= nSlabs;
-    groupSize = clusterSize * static_cast<std::size_t>(std::ceil(clustersLeft));
+    groupSize = clusterSize * static_cast<std::size_t>(std::ceil(clustersLeft / nSlabs));
     clustersLeft = static_cast<double>(groupSize / clusterSize);
   }
 }
 
-/// Sorts places [first, last) by the cells of a grid over their box, and notes the ranges that are
-/// small enough for `pack`.
 template <int Dim>
-void SpatialOrder<Dim>::divide(std::span<const Vec<Dim>> points, std::size_t first,
-                               std::size_t last, int depth) {
+SpatialOrder<Dim>::SpatialOrder() = default;
+template <int Dim>
+SpatialOrder<Dim>::~SpatialOrder() = default;
+template <int Dim>
+SpatialOrder<Dim>::SpatialOrder(SpatialOrder&&) noexcept = default;
+template <int Dim>
+SpatialOrder<Dim>& SpatialOrder<Dim>::operator=(SpatialOrder&&) noexcept = default;
+
+/// Sorts places [first, last) by the cells of a grid over their box, and notes the ranges that are
+/// small enough for a Packer.
+template <int Dim>
+void SpatialOrder<Dim>::divide(std::size_t first, std::size_t last, int depth) {
   const std::size_t n = last - first;
   if (n <= 2 * cellPoints<Dim> || depth == maxDepth) {
-    if (n > 0) cellEnd_.push_back(last);
+    if (n > 0) cellEnds_.push_back(last);
     return;
   }
-  const std::span<std::uint32_t> indices(order_.data() + first, n);
-  const Box<Dim> box = boundsOf<Dim, std::uint32_t>(points, indices);
+  const auto indices = order_.subspan(first, n), cells = cell_.subspan(first, n);
+  const auto sorted = sorted_.subspan(first, n);
+  const Box<Dim> box = boundsOf<Dim>(points_, std::span<const std::uint32_t>(indices));
   const Serpentine<Dim> grid(box, static_cast<double>(n) / cellPoints<Dim>);
-  const std::size_t nCells = grid.nCells();
-  std::vector<std::size_t> start(nCells + 1, 0);
-  forEachIndex(n, [&](std::size_t k) { cell_[first + k] = grid.cellOf(points[indices[k]]); });
-  for (std::size_t k = 0; k < n; ++k) ++start[cell_[first + k] + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  for (std::size_t k = 0; k < n; ++k) sorted_[first + next[cell_[first + k]]++] = indices[k];
-  std::copy_n(sorted_.begin() + static_cast<std::ptrdiff_t>(first), n, indices.begin());
+  const std::size_t nCells = grid.nCells(), before = starts_.size();
+  // A stable counting sort in as many parts as there are threads: its result is the same for any
+  // number of parts.
+  const std::size_t nParts =
+      n >= worthThreads ? static_cast<std::size_t>(omp_get_max_threads()) : 1;
+  starts_.resize(before + nParts * nCells, 0);
+  std::uint32_t* const starts = starts_.data() + before;
+  const auto forEachPart = [&](auto&& body) {
+#pragma omp parallel for schedule(static, 1) if (nParts > 1)
+    for (std::size_t part = 0; part < nParts; ++part)
+      body(starts + part * nCells, part * n / nParts, (part + 1) * n / nParts);
+  };
+  forEachPart([&](std::uint32_t* count, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      cells[k] = grid.cellOf(points_[indices[k]]);
+      ++count[cells[k]];
+    }
+  });
+  std::uint32_t place = 0;
   for (std::size_t c = 0; c < nCells; ++c)
-    divide(points, first + start[c], first + start[c + 1], depth + 1);
-}
-
-template <int Dim>
-void SpatialOrder<Dim>::sort(std::span<const Vec<Dim>> points) {
-  const std::size_t n = points.size();
-  order_.resize(n);
-  sorted_.resize(n);
-  cell_.resize(n);
-  std::iota(order_.begin(), order_.end(), 0u);
-  cellEnd_.clear();
-  divide(points, 0, n, 0);
-#pragma omp parallel if (n >= worthThreads)
-  {
-    Scratch scratch;
-#pragma omp for schedule(dynamic, 1)
-    for (std::size_t c = 0; c < cellEnd_.size(); ++c)
-      pack(points, c == 0 ? 0 : cellEnd_[c - 1], cellEnd_[c], scratch);
+    for (std::size_t part = 0; part < nParts; ++part)
+      place += std::exchange(starts[part * nCells + c], place);
+  forEachPart([&](std::uint32_t* next, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) sorted[next[cells[k]]++] = indices[k];
+  });
+  forEachIndex(n, [&](std::size_t k) { indices[k] = sorted[k]; });
+  // Where the last part has placed its points of a cell, the cell ends.
+  std::size_t begin = 0;
+  for (std::size_t c = 0; c < nCells; ++c) {
+    const std::size_t end = starts_[before + (nParts - 1) * nCells + c];
+    divide(first + begin, first + end, depth + 1);
+    begin = end;
   }
+  starts_.resize(before);
 }
 
 template <int Dim>
-std::size_t SpatialOrder<Dim>::bytes() const {
-  return (order_.capacity() + sorted_.capacity() + cell_.capacity()) * sizeof(std::uint32_t);
+void SpatialOrder<Dim>::sort(std::span<const Vec<Dim>> points, std::span<std::uint32_t> order,
+                             std::span<std::uint32_t> sorted, std::span<std::uint32_t> cell) {
+  points_ = points;
+  order_ = order;
+  sorted_ = sorted;
+  cell_ = cell;
+  std::iota(order_.begin(), order_.end(), 0u);
+  cellEnds_.clear();
+  divide(0, points.size(), 0);
+  const auto nThreads = static_cast<std::size_t>(omp_get_max_threads());
+  if (packers_.size() < nThreads) packers_.resize(nThreads);
+#pragma omp parallel for schedule(dynamic, 1) if (points.size() >= worthThreads)
+  for (std::size_t c = 0; c < cellEnds_.size(); ++c) {
+    const std::size_t first = c == 0 ? 0 : cellEnds_[c - 1];
+    packers_[static_cast<std::size_t>(omp_get_thread_num())].pack(
+        points_, order_.subspan(first, cellEnds_[c] - first));
+  }
 }
 
 template class SpatialOrder<1>;

@@ -22,22 +22,27 @@ inline constexpr std::size_t clusterSize = 8;
 template <int Dim>
 class SpatialOrder {
  public:
-  /// order()[k] is afterwards the index of the point in place k. The result depends on the points
-  /// and their present order only.
-  void sort(std::span<const Vec<Dim>> points);
+  SpatialOrder();
+  ~SpatialOrder();
+  SpatialOrder(SpatialOrder&&) noexcept;
+  SpatialOrder& operator=(SpatialOrder&&) noexcept;
 
-  std::span<const std::uint32_t> order() const { return order_; }
-  std::size_t bytes() const;
+  /// order[k] becomes the index of the point in place k. The result depends on the points and their
+  /// present order only. `order` and the two work spaces are as long as `points`.
+  void sort(std::span<const Vec<Dim>> points, std::span<std::uint32_t> order,
+            std::span<std::uint32_t> sorted, std::span<std::uint32_t> cell);
 
  private:
-  struct Scratch;
+  struct Packer;
 
-  void divide(std::span<const Vec<Dim>> points, std::size_t first, std::size_t last, int depth);
-  void pack(std::span<const Vec<Dim>> points, std::size_t first, std::size_t last,
-            Scratch& scratch);
+  void divide(std::size_t first, std::size_t last, int depth);
 
-  std::vector<std::uint32_t> order_, sorted_, cell_;
-  std::vector<std::size_t> cellEnd_;  // ends of the ranges that `pack` works on
+  // Of the present call.
+  std::span<const Vec<Dim>> points_;
+  std::span<std::uint32_t> order_, sorted_, cell_;
+  std::vector<std::size_t> cellEnds_;  // of the ranges that a Packer works on
+  std::vector<std::uint32_t> starts_;  // of the cells of the grids that are being divided
+  std::vector<Packer> packers_;        // one a thread
 };
 
 extern template class SpatialOrder<1>;

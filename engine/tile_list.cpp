@@ -2,8 +2,10 @@
 #include "engine/tile_list.hpp"
 
 #include "engine/tile_search.hpp"
+#include "particles/errors.hpp"
 #include "particles/parallel.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -48,13 +50,8 @@ TileList<Dim>::TileList(TileList&&) noexcept = default;
 template <int Dim>
 TileList<Dim>& TileList<Dim>::operator=(TileList&&) noexcept = default;
 
-/// Chunks of equal numbers of clusters: large enough that few clusters lie outside of the chunk
-/// whose tiles they are in, small enough that threads share the work evenly. Their number does not
-/// depend on the number of threads, so that sums do not, either.
 template <int Dim>
 void TileList<Dim>::divide(const Clusters<Dim>& clusters, bool wallsReceive) {
-  constexpr std::size_t smallest = 32, largest = Dim == 3 ? 2048 : 512, wanted = 64;
-  chunkSize_ = std::clamp(clusters.nClusters / wanted, smallest, largest);
   nFluidClusters_ = clusters.nFluidClusters;
   const auto count = [&](std::size_t n) { return (n + chunkSize_ - 1) / chunkSize_; };
   nFluidChunks_ = count(clusters.nFluidClusters);
@@ -100,19 +97,43 @@ std::size_t TileList<Dim>::chunkOf(std::size_t cluster) const {
 template <int Dim>
 void TileList<Dim>::build(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
                           const Box<Dim>& domain, double radius, bool wallsReceive) {
-  divide(clusters, wallsReceive);
   const auto nThreads = static_cast<std::size_t>(omp_get_max_threads());
   if (work_->searches.size() < nThreads) work_->searches.resize(nThreads);
+  // Chunks of equal numbers of clusters: large enough that few clusters lie outside of the chunk
+  // whose tiles they are in, small enough that threads share the work evenly. Their number does not
+  // depend on the number of threads, so that sums do not, either.
+  constexpr std::size_t smallest = Dim == 3 ? 512 : 256, largest = 2048, wanted = 64;
+  chunkSize_ = std::clamp(clusters.nClusters / wanted, smallest, largest);
+  while (!tryBuild(positions, clusters, domain, radius, wallsReceive)) {
+    // So many neighbours that the numbers of a chunk do not suffice: smaller chunks see fewer.
+    if (chunkSize_ == 1)
+      throw RunError(fmt::format(
+          "one particle has more than {} neighbours: sums over neighbours are not made for so "
+          "many; "
+          "use a smaller smoothing_length, or look whether particles were drawn together",
+          maxLocals * clusterSize / 2));
+    chunkSize_ /= 2;
+  }
+  linkHalos(clusters);
+}
+
+template <int Dim>
+bool TileList<Dim>::tryBuild(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
+                             const Box<Dim>& domain, double radius, bool wallsReceive) {
+  divide(clusters, wallsReceive);
   group(clusters);
+  bool fits = true;
   FirstFailure failure;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) reduction(&& : fits)
   for (std::size_t c = 0; c < nChunks_; ++c)
     failure.watch(c, [&] {
-      work_->searches[static_cast<std::size_t>(omp_get_thread_num())].run(
-          positions, clusters, work_->groups, domain, radius, wallsReceive, chunks_[c]);
+      TileSearch<Dim>& search = work_->searches[static_cast<std::size_t>(omp_get_thread_num())];
+      fits = search.run(positions, clusters, work_->groups, domain, radius, wallsReceive,
+                        chunks_[c]) &&
+             fits;
     });
   failure.rethrow();
-  linkHalos(clusters);
+  return fits;
 }
 
 /// Gives every halo its place among the sums, and every chunk the list of sums to fetch.
@@ -149,7 +170,7 @@ template <int Dim>
 std::size_t TileList<Dim>::bytes() const {
   std::size_t sum = additions_.capacity() * sizeof(Addition);
   for (const auto& chunk : chunks_)
-    sum += chunk.counts.capacity() * sizeof(TileCounts) + chunk.tiles.capacity() * 4 +
+    sum += chunk.counts.capacity() * sizeof(TileCounts) + chunk.tiles.capacity() * 2 +
            chunk.locals.capacity() * sizeof(LocalCluster<Dim>) + chunk.halo.capacity() * 4;
   return sum;
 }

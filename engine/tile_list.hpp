@@ -67,7 +67,7 @@ template <int Dim>
 struct TileChunk {
   std::uint32_t firstCluster = 0, nClusters = 0;
   std::vector<TileCounts> counts;         ///< two a cluster
-  std::vector<std::uint32_t> tiles;       ///< indices into `locals`
+  std::vector<std::uint16_t> tiles;       ///< places in `locals`
   std::vector<LocalCluster<Dim>> locals;  ///< the chunk's own clusters first
   std::vector<std::uint32_t> halo;        ///< clusters of other chunks that get sums from this one
   std::uint32_t firstHalo = 0;            ///< place of the first of them among all sums
@@ -107,6 +107,8 @@ class TileList {
  private:
   struct Work;
 
+  bool tryBuild(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
+                const Box<Dim>& domain, double radius, bool wallsReceive);
   void divide(const Clusters<Dim>& clusters, bool wallsReceive);
   void group(const Clusters<Dim>& clusters);
   void linkHalos(const Clusters<Dim>& clusters);

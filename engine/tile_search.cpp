@@ -2,9 +2,6 @@
 #include "engine/tile_search.hpp"
 
 #include "engine/instruction_set.hpp"
-#include "particles/errors.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -47,7 +44,7 @@ BoxRows<Dim> rowsOf(const std::array<std::vector<float>, Dim>& centers,
 }  // namespace
 
 template <int Dim>
-void TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
+bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
                           std::span<const ClusterGroup<Dim>> groups, const Box<Dim>& domain,
                           double radius, bool wallsReceive, TileChunk<Dim>& chunk) {
   clusters_ = &clusters;
@@ -74,6 +71,7 @@ void TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Di
     candidates_[c].local = static_cast<std::uint32_t>(c);
   }
   for (std::size_t c = 0; c < nOwn; ++c) findTilesOf(c, chunk);
+  return chunk.locals.size() <= maxLocals;
 }
 
 template <int Dim>
@@ -186,15 +184,9 @@ void TileSearch<Dim>::findTilesOf(std::size_t own, TileChunk<Dim>& chunk) {
       for (std::size_t k = 0; k < count; ++k) {
         Candidate& other = candidates_[nearHalf_[k]];
         if (other.cluster < cluster || (other.cluster == cluster) != wantSelf) continue;
-        chunk.tiles.push_back(localOf(other, chunk));
+        chunk.tiles.push_back(static_cast<std::uint16_t>(localOf(other, chunk)));
         ++counts[wantSelf ? 0 : other.cluster < clusters_->nFluidClusters ? 1 : 2];
       }
-    if (std::ranges::max(counts) > std::numeric_limits<std::uint16_t>::max())
-      throw RunError(fmt::format(
-          "more than {} particles are neighbours of one, near ({:.4g}...): far more than sums over "
-          "neighbours are made for; use a smaller smoothing_length, or look whether particles "
-          "were drawn together there",
-          counts[1] * clusterSize, clusters_->origin[cluster][0]));
     chunk.counts.push_back({static_cast<std::uint16_t>(counts[0]),
                             static_cast<std::uint16_t>(counts[1]),
                             static_cast<std::uint16_t>(counts[2])});

@@ -12,6 +12,9 @@ namespace plenum {
 /// Added to LocalCluster::sums of clusters in the halo until their places are known.
 inline constexpr std::uint32_t inHalo = 1u << 31;
 
+/// Clusters that a chunk's tiles can tell apart.
+inline constexpr std::size_t maxLocals = std::numeric_limits<std::uint16_t>::max();
+
 /// The box around a cluster [m].
 template <int Dim>
 Box<Dim> boxOf(const Clusters<Dim>& clusters, std::size_t cluster) {
@@ -37,8 +40,9 @@ struct ClusterGroup {
 template <int Dim>
 class TileSearch {
  public:
-  /// Fills `chunk`. The work space stays for the next call.
-  void run(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
+  /// Fills `chunk`. Returns whether its numbers suffice: false if it sees more than maxLocals
+  /// clusters, and the chunk is of no use then. The work space stays for the next call.
+  bool run(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
            std::span<const ClusterGroup<Dim>> groups, const Box<Dim>& domain, double radius,
            bool wallsReceive, TileChunk<Dim>& chunk);
 

@@ -13,16 +13,16 @@ namespace plenum {
 template <int Dim, class T>
 struct TileWork {
   TileCounts* counts;    ///< of half clusters, first those of `firstCluster`
-  std::uint32_t* tiles;  ///< the near ones of each kind come first
+  std::uint16_t* tiles;  ///< places in `locals`; the near ones of each kind come first
   const LocalCluster<Dim>* locals;
-  std::uint32_t firstCluster, nClusters;
-  const T* positions;  ///< [cluster][axis][particle], relative to the cluster's origin [m]
-  const T* fields;     ///< [cluster][component][particle], what the pass reads
-  T* sums;             ///< [place][component][particle], what the pass writes
-  bool fluidTiles;     ///< sums from fluids are asked for
-  bool wallTiles;      ///< tiles with walls are needed
-  bool fromWalls;      ///< the receivers get their sums
-  bool toWalls;        ///< the walls get theirs
+  std::uint32_t nClusters;  ///< of the chunk itself: the first of `locals`
+  const T* positions;       ///< [cluster][axis][particle], relative to the cluster's origin [m]
+  const T* fields;          ///< [cluster][component][particle], what the pass reads
+  T* sums;                  ///< [place][component][particle], what the pass writes
+  bool fluidTiles;          ///< sums from fluids are asked for
+  bool wallTiles;           ///< tiles with walls are needed
+  bool fromWalls;           ///< the receivers get their sums
+  bool toWalls;             ///< the walls get theirs
 };
 
 /// Adds the sums of a chunk's near tiles to `work.sums`. `pass` is what the function was made for.

@@ -60,13 +60,14 @@ void ParticleSet<Dim>::remove(FieldSet fields) {
 }
 
 template <int Dim>
-void ParticleSet<Dim>::permute(std::span<const std::uint32_t> order) {
+void ParticleSet<Dim>::permute(std::span<const std::uint32_t> order,
+                               std::span<std::byte> scratch) {
   assert(order.size() == size());
-  scratch_.resize(size() * std::max(sizeof(Vec<Dim>), sizeof(std::uint64_t)));
+  assert(scratch.size() >= size() * permuteBytes);
   forEachField([&](const FieldInfo& info, auto values) {
     using Value = typename decltype(values)::value_type;
     const std::size_t first = info.scope == Scope::walls ? nFluid_ : 0;
-    auto* sorted = reinterpret_cast<Value*>(scratch_.data());
+    auto* sorted = reinterpret_cast<Value*>(scratch.data());
     forEachIndex(values.size(),
                  [&](std::size_t k) { sorted[k] = values[order[first + k] - first]; });
     if (!values.empty()) std::memcpy(values.data(), sorted, values.size_bytes());
@@ -76,7 +77,7 @@ void ParticleSet<Dim>::permute(std::span<const std::uint32_t> order) {
 template <int Dim>
 double ParticleSet<Dim>::bytesPerParticle() const {
   if (size() == 0) return 0;
-  std::size_t bytes = scratch_.size();
+  std::size_t bytes = 0;
   forEachField([&](const FieldInfo&, auto values) { bytes += values.size_bytes(); });
   return static_cast<double>(bytes) / static_cast<double>(size());
 }

@@ -3,6 +3,7 @@
 
 #include "particles/field.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -59,10 +60,12 @@ class ParticleSet {
   }
 
   /// New order within the fluid and within the walls: `order[k]` is the old index of the particle
-  /// that becomes number k. length size(); fluids stay before walls. Allocates only the first time.
-  void permute(std::span<const std::uint32_t> order);
+  /// that becomes number k. length size(); fluids stay before walls. `scratch` has room for
+  /// permuteBytes a particle and is aligned as its values are.
+  void permute(std::span<const std::uint32_t> order, std::span<std::byte> scratch);
+  static constexpr std::size_t permuteBytes = std::max(sizeof(Vec<Dim>), sizeof(std::uint64_t));
 
-  /// Bytes of all arrays per particle, scratch included.
+  /// Bytes of all arrays per particle.
   double bytesPerParticle() const;
 
  private:
@@ -75,7 +78,6 @@ class ParticleSet {
   std::size_t nFluid_ = 0;
   std::size_t nWalls_ = 0;
   std::array<Array, nFields> arrays_;
-  std::vector<std::byte> scratch_;  // one array's worth, reused by every `permute`
 };
 
 extern template class ParticleSet<1>;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The engine's own loops over tiles, for the instruction set that this source is compiled for.
-#include "engine/instruction_set.hpp"
 #include "engine/near_tiles.hpp"
+#include "engine/instruction_set.hpp"
 
 namespace plenum {
 

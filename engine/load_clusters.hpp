@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From the state of particles to the numbers that pairs are computed from. Plain pointers only, as
+// in tile_work.hpp.
+#pragma once
+
+#include "engine/spatial_order.hpp"
+#include "particles/vec.hpp"
+
+namespace plenum {
+
+/// A run of clusters, all of fluid or all of walls, whose particles are consecutive.
+struct ClusterRun {
+  std::size_t firstCluster, nClusters;
+  std::size_t firstParticle, nParticles;  ///< the last cluster may have fewer than eight
+};
+
+/// Positions of a run relative to the origins of the clusters [cluster][axis][particle].
+template <int Dim>
+struct PositionSource {
+  const Vec<Dim>* positions;  ///< of all particles [m]
+  const Vec<Dim>* origins;    ///< of all clusters [m]
+  Vec<Dim> period, half;      ///< as in Periodicity
+  bool anyPeriodic;
+  double away;  ///< places without a particle lie that far away [m]
+};
+template <class Isa, class T, int Dim>
+void loadPositions(const PositionSource<Dim>& source, const ClusterRun& run, T* to);
+
+/// A field of a run: [particle][component] to [cluster][component][particle], where a cluster's
+/// numbers begin every `stride`. Places without a particle get the values of the last one. `values`
+/// begins with particle `run.firstParticle`, `to` with the run's first cluster.
+template <class Isa, class T, int components>
+void loadField(const double* values, const ClusterRun& run, std::size_t stride, T* to);
+
+}  // namespace plenum
