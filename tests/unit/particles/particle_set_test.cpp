@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/particle_set.hpp"
 
+#include "tests/support/permute.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -70,7 +72,7 @@ TEST(ParticleSet, PermuteMovesEveryFieldOfEveryScope) {
     }
   });
   const std::vector<std::uint32_t> order{3, 0, 4, 1, 2, 8, 5, 7, 6};
-  particles.permute(order);
+  test::permute(particles, order);
   particles.forEachField([&](const FieldInfo& info, auto values) {
     using Value = typename decltype(values)::value_type;
     const std::size_t first = info.scope == Scope::walls ? 5 : 0;
@@ -91,9 +93,9 @@ TEST(ParticleSet, PermutingAndBackIsTheIdentity) {
   for (std::uint32_t k = 0; k < 100; ++k) order[k] = 37 * k % 100;
   for (std::uint32_t k = 0; k < 50; ++k) order[100 + k] = 100 + 7 * k % 50;
   for (std::uint32_t k = 0; k < 150; ++k) inverse[order[k]] = k;
-  particles.permute(order);
+  test::permute(particles, order);
   EXPECT_EQ(particles[field::id][1], 38u);
-  particles.permute(inverse);
+  test::permute(particles, inverse);
   for (std::uint64_t k = 0; k < 150; ++k) EXPECT_EQ(particles[field::id][k], k + 1);
 }
 

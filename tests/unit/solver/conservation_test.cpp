@@ -5,6 +5,7 @@
 #include "solver/state_row.hpp"
 #include "tests/support/dimensions.hpp"
 #include "tests/support/jittered_scene.hpp"
+#include "tests/support/permute.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -180,7 +181,7 @@ TYPED_TEST(ConservationTest, OrderOfTheParticlesInTheFileDoesNotMatter) {
     std::vector<std::uint32_t> order(scene.particles.size());
     for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
     std::shuffle(order.begin(), order.end(), std::mt19937_64(3));
-    shuffled.particles.permute(order);
+    test::permute(shuffled.particles, order);
     Simulation<Dim> a(std::move(scene), settings), b(std::move(shuffled), settings);
     for (int k = 0; k < 10; ++k) {
       a.step(1e-4);
