@@ -7,6 +7,7 @@
 #include "particles/parallel.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -14,6 +15,11 @@
 #include <utility>
 
 namespace plenum {
+
+namespace {
+/// Places of particles and of sums are 32-bit numbers, one bit of which marks halos in the search.
+constexpr std::size_t maxParticles = std::size_t{1} << 30;
+}  // namespace
 
 template <int Dim>
 Engine<Dim>::Engine(const Box<Dim>& domain, const Options& options)
@@ -44,11 +50,31 @@ bool Engine<Dim>::update(ParticleSet<Dim>& particles) {
     loadPositions(numbers, particles);
     findNear(numbers);
   };
-  if (options_.precision == Precision::mixed)
+  if (precision_ == Precision::mixed)
     prepare(inFloat_);
   else
     prepare(inDouble_);
   return old;
+}
+
+/// Throws RunError for a position that no order can place, and for more particles than indices.
+template <int Dim>
+void Engine<Dim>::requireSortable(const ParticleSet<Dim>& particles) const {
+  const auto positions = particles[field::position];
+  const std::size_t n = positions.size();
+  if (n > maxParticles)
+    throw RunError(fmt::format("{} particles: one process computes at most {}", n, maxParticles));
+  std::size_t bad = n;
+#pragma omp parallel for schedule(static) reduction(min : bad) if (n >= worthThreads)
+  for (std::size_t i = 0; i < n; ++i)
+    // So far away that squares of distances are no numbers any more.
+    if (!(normSquared(positions[i]) < 1e200)) bad = std::min(bad, i);
+  if (bad == n) return;
+  throw RunError(fmt::format(
+      "particle {}: its position ({}) is not finite or senselessly far away; look at the last good "
+      "state for what drove it out",
+      particles.has(field::id) ? particles[field::id][bad] : bad,
+      fmt::join(positions[bad].components, ", ")));
 }
 
 template <int Dim>
@@ -56,6 +82,7 @@ void Engine<Dim>::sort(ParticleSet<Dim>& particles) {
   const auto sorting = watch_.lap(Part::sort);
   const auto positions = particles[field::position];
   const std::size_t n = positions.size();
+  requireSortable(particles);
   forEachIndex(n, [&](std::size_t i) { positions[i] = domain_.wrap(positions[i]); });
   const std::size_t nFluid = particles.nFluid(), nWalls = n - nFluid;
   arena_.begin(3 * n * sizeof(std::uint32_t) + n * ParticleSet<Dim>::permuteBytes);
@@ -72,21 +99,32 @@ void Engine<Dim>::sort(ParticleSet<Dim>& particles) {
 template <int Dim>
 void Engine<Dim>::search(const ParticleSet<Dim>& particles) {
   const auto searching = watch_.lap(Part::search);
-  const std::size_t nFluid = particles.nFluid();
-  const auto sorted = particles[field::position];
-  clusters_.build(sorted, nFluid);
-  list_.build(sorted, clusters_, domain_, options_.support + skin_, options_.wallsReceive);
+  const auto positions = particles[field::position];
+  clusters_.count(particles.size(), particles.nFluid());
+  arena_.begin(clusters_.nClusters * sizeof(ClusterBox<Dim>));
+  clusters_.place(positions, arena_.take<ClusterBox<Dim>>(clusters_.nClusters));
+  list_.build(positions, clusters_, domain_, options_.support + skin_, options_.units.length,
+              options_.wallsReceive);
   travelled_ = 0;
   ++nRebuilds_;
 
+  // A few particles far from their cluster (a stray, the last drops of a spray) lose digits in
+  // float, by 6e-8 of their distance; where that is too much, pairs are computed in double.
+  precision_ = options_.precision;
+  const auto farthest = static_cast<float>(256 * options_.support);
+  for (const ClusterBox<Dim>& box : clusters_.boxes)
+    for (int a = 0; a < Dim; ++a)
+      if (std::max(-box.lower[a], box.upper[a]) > farthest) precision_ = Precision::doubled;
+
   // A position is read as the image nearest to the origin of its cluster. Where that is unsure,
-  // because a cluster spans the whole period, every step searches anew.
+  // because a cluster spans half the period, every step searches anew.
   usableSkin_ = skin_;
-  for (int a = 0; a < Dim; ++a)
-    if (domain_.isPeriodic(a))
-      for (const Vec<Dim, float>& half : clusters_.halfSize)
-        if (2 * static_cast<double>(half[a]) + skin_ > domain_.upper[a] - domain_.lower[a])
-          usableSkin_ = 0;
+  for (int a = 0; a < Dim; ++a) {
+    if (!domain_.isPeriodic(a)) continue;
+    const double limit = 0.5 * (domain_.upper[a] - domain_.lower[a] - skin_);
+    for (const ClusterBox<Dim>& box : clusters_.boxes)
+      if (static_cast<double>(std::max(-box.lower[a], box.upper[a])) > limit) usableSkin_ = 0;
+  }
 }
 
 template <int Dim>
@@ -94,7 +132,7 @@ void Engine<Dim>::run(const PairPass<Dim>& pass, const ParticleSet<Dim>& particl
   assert(clusters_.nParticles == particles.size());
   assert(pass.receivers == Group::fluids || options_.wallsReceive);
   written_ = pass.writes;
-  if (options_.precision == Precision::mixed)
+  if (precision_ == Precision::mixed)
     run(inFloat_, pass, pass.inFloat, particles);
   else
     run(inDouble_, pass, pass.inDouble, particles);
@@ -199,7 +237,8 @@ void Engine<Dim>::loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& par
                                    periodicity_.period,
                                    periodicity_.half,
                                    domain_.anyPeriodic(),
-                                   1e4 * options_.support};
+                                   1e4 * options_.support,
+                                   1 / options_.units.length};
   const auto load = withInstructionSet(
       instructionSet(), [](auto isa) { return &plenum::loadPositions<decltype(isa), T, Dim>; });
   forEachRun([&](const ClusterRun& run) {
@@ -220,11 +259,12 @@ void Engine<Dim>::loadFields(Numbers<T>& numbers, FieldSet reads,
     T* to = numbers.fields.data() + run.firstCluster * stride;
     particles.forEachField([&](const FieldInfo& info, auto values) {
       if (!reads.has(info.id)) return;
+      const double scale = 1 / options_.units.of(info.id, Dim);
       using Value = typename decltype(values)::value_type;
       if constexpr (std::is_same_v<Value, double>)
-        loadScalar(values.data() + run.firstParticle, run, stride, to);
+        loadScalar(values.data() + run.firstParticle, scale, run, stride, to);
       else if constexpr (std::is_same_v<Value, Vec<Dim>>)
-        loadVector(&values[run.firstParticle].components[0], run, stride, to);
+        loadVector(&values[run.firstParticle].components[0], scale, run, stride, to);
       to += static_cast<std::size_t>(componentsOf<Dim>(info.id)) * clusterSize;
     });
   });
@@ -237,7 +277,7 @@ void Engine<Dim>::findNear(Numbers<T>& numbers) {
   const auto find = withInstructionSet(
       instructionSet(), [](auto isa) { return &findNearTiles<decltype(isa), T, Dim>; });
   // Numbers relative to clusters round positions by less than this.
-  const double radius = options_.support * (1 + 1e-5);
+  const double radius = options_.support / options_.units.length * (1 + 1e-5);
   const std::size_t nChunks = list_.chunks().size();
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t c = 0; c < nChunks; ++c) find(workOf(numbers, c), radius);

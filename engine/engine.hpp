@@ -8,6 +8,7 @@
 #include "engine/spatial_order.hpp"
 #include "engine/stopwatch.hpp"
 #include "engine/tile_list.hpp"
+#include "engine/units.hpp"
 #include "particles/particle_set.hpp"
 
 #include <limits>
@@ -25,11 +26,12 @@ enum class Precision {
 template <Rank R, int Dim, class T>
 class SumView {
  public:
-  SumView(const Clusters<Dim>& clusters, const T* sums, int nOut, int first)
+  SumView(const Clusters<Dim>& clusters, const T* sums, double unit, int nOut, int first)
       : nFluid_(clusters.nFluid),
         toWalls_(clusters.nFluidClusters * clusterSize - clusters.nFluid),
         sums_(sums + static_cast<std::size_t>(first) * clusterSize),
-        nOut_(static_cast<std::size_t>(nOut)) {}
+        nOut_(static_cast<std::size_t>(nOut)),
+        unit_(unit) {}
 
   ValueOf<R, Dim> operator[](std::size_t i) const {
     const std::size_t slot = i < nFluid_ ? i : i + toWalls_;
@@ -37,10 +39,10 @@ class SumView {
     if constexpr (R == Rank::vector) {
       Vec<Dim> v;
       for (int a = 0; a < Dim; ++a)
-        v[a] = static_cast<double>(value[static_cast<std::size_t>(a) * clusterSize]);
+        v[a] = unit_ * static_cast<double>(value[static_cast<std::size_t>(a) * clusterSize]);
       return v;
     } else {
-      return static_cast<double>(*value);
+      return unit_ * static_cast<double>(*value);
     }
   }
 
@@ -48,6 +50,7 @@ class SumView {
   std::size_t nFluid_, toWalls_;
   const T* sums_;
   std::size_t nOut_;
+  double unit_;
 };
 
 /// Keeps particles sorted in clusters and knows who is near whom. The solver, relaxation and report
@@ -60,6 +63,7 @@ class Engine {
     double skin = 0.2;          ///< extra list radius, in units of the support
     bool wallsReceive = false;  ///< some pass has walls among its receivers
     Precision precision = Precision::mixed;
+    Units units;  ///< that passes were made for
   };
 
   /// Throws InputError if a periodic axis of `domain` is shorter than twice the support.
@@ -84,10 +88,11 @@ class Engine {
   template <Rank R, class Visit>
   void withSums(Field<R> field, Visit&& visit) const {
     const int nOut = componentsOf<Dim>(written_), first = offsetOf<Dim>(written_, field.id);
-    if (options_.precision == Precision::mixed)
-      visit(SumView<R, Dim, float>(clusters_, inFloat_.sums.data(), nOut, first));
+    const double unit = options_.units.of(field.id, Dim);
+    if (precision_ == Precision::mixed)
+      visit(SumView<R, Dim, float>(clusters_, inFloat_.sums.data(), unit, nOut, first));
     else
-      visit(SumView<R, Dim, double>(clusters_, inDouble_.sums.data(), nOut, first));
+      visit(SumView<R, Dim, double>(clusters_, inDouble_.sums.data(), unit, nOut, first));
   }
 
   /// A copy of them: for tests and tools.
@@ -102,7 +107,9 @@ class Engine {
   }
 
   double support() const { return options_.support; }
-  Precision precision() const { return options_.precision; }
+  const Units& units() const { return options_.units; }
+  /// What the present list is computed in; double where float would not do.
+  Precision precision() const { return precision_; }
   std::size_t nRebuilds() const { return nRebuilds_; }
   const TileList<Dim>& tiles() const { return list_; }
   std::size_t bytes() const;
@@ -118,6 +125,7 @@ class Engine {
     std::span<T> fields, sums;   ///< of the last pass, in the arena
   };
 
+  void requireSortable(const ParticleSet<Dim>& particles) const;
   void sort(ParticleSet<Dim>& particles);
   void search(const ParticleSet<Dim>& particles);
   template <class T>
@@ -143,7 +151,8 @@ class Engine {
   double usableSkin_ = 0;  // of the present list [m]
   double travelled_ = 0;   // since the last search [m]
   SpatialOrder<Dim> spatialOrder_;
-  Arena arena_;  // of a sort, then of each pass
+  Arena arena_;                             // of a sort, then of each pass
+  Precision precision_ = Precision::mixed;  // of the present list
   Clusters<Dim> clusters_;
   TileList<Dim> list_;
   Numbers<float> inFloat_;

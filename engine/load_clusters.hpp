@@ -15,22 +15,25 @@ struct ClusterRun {
   std::size_t firstParticle, nParticles;  ///< the last cluster may have fewer than eight
 };
 
-/// Positions of a run relative to the origins of the clusters [cluster][axis][particle].
+/// Positions of a run relative to the origins of the clusters [cluster][axis][particle], times
+/// `scale`.
 template <int Dim>
 struct PositionSource {
   const Vec<Dim>* positions;  ///< of all particles [m]
   const Vec<Dim>* origins;    ///< of all clusters [m]
   Vec<Dim> period, half;      ///< as in Periodicity
   bool anyPeriodic;
-  double away;  ///< places without a particle lie that far away [m]
+  double away;   ///< places without a particle lie that far away [m]
+  double scale;  ///< to the unit of length of the pairs [1/m]
 };
 template <class Isa, class T, int Dim>
 void loadPositions(const PositionSource<Dim>& source, const ClusterRun& run, T* to);
 
-/// A field of a run: [particle][component] to [cluster][component][particle], where a cluster's
-/// numbers begin every `stride`. Places without a particle get the values of the last one. `values`
-/// begins with particle `run.firstParticle`, `to` with the run's first cluster.
+/// A field of a run times `scale`: [particle][component] to [cluster][component][particle], where a
+/// cluster's numbers begin every `stride`. Places without a particle get the values of the last
+/// one. `values` begins with particle `run.firstParticle`, `to` with the run's first cluster.
 template <class Isa, class T, int components>
-void loadField(const double* values, const ClusterRun& run, std::size_t stride, T* to);
+void loadField(const double* values, double scale, const ClusterRun& run, std::size_t stride,
+               T* to);
 
 }  // namespace plenum

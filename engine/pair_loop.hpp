@@ -8,6 +8,7 @@
 #include "engine/pack.hpp"
 #include "engine/pair.hpp"
 #include "engine/tile_work.hpp"
+#include "engine/units.hpp"
 #include "particles/kernels.hpp"
 
 #include <tuple>
@@ -24,6 +25,13 @@ struct Pass {
   Profile profile;
   double smoothingLength;  ///< h of all particles [m]
   std::tuple<Terms...> terms;
+
+  /// The same pass for numbers in `units`.
+  Pass inUnits(const Units& units) const {
+    return {profile,
+            smoothingLength / units.length,
+            {plenum::inUnits(std::get<Terms>(terms), units)...}};
+  }
 };
 
 /// sigma of a profile that is known at compile time or chosen at run time.

@@ -137,11 +137,17 @@ void SpatialOrder<Dim>::Packer::pack(std::span<const Vec<Dim>> points,
     }
     sortByKey(indices, nGroups * nBins);
     if (a == Dim - 1) break;
-    // The next cut makes groups whose clusters are about cubic.
-    double rest = 1;
-    for (int b = a + 1; b < Dim; ++b) rest *= std::max(box.upper[b] - box.lower[b], 1e-300);
-    const double edge = std::pow(std::max(length, 1e-300) * rest / clustersLeft, 1.0 / (Dim - a));
-    const double nSlabs = std::clamp(std::round(length / edge), 1.0, clustersLeft);
+    // The next cut makes groups whose clusters are about cubic. A flat axis is not cut.
+    double nSlabs = 1;
+    if (length > 0) {
+      double logVolume = std::log(length);
+      for (int b = a + 1; b < Dim; ++b) {
+        const double extent = box.upper[b] - box.lower[b];
+        logVolume += std::log(std::max(extent, 1e-6 * length));
+      }
+      const double logEdge = (logVolume - std::log(clustersLeft)) / (Dim - a);
+      nSlabs = std::clamp(std::round(std::exp(std::log(length) - logEdge)), 1.0, clustersLeft);
+    }
     groupSize = clusterSize * static_cast<std::size_t>(std::ceil(clustersLeft / nSlabs));
     clustersLeft = static_cast<double>(groupSize / clusterSize);
   }

@@ -9,29 +9,37 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 
 namespace plenum {
 
 template <int Dim>
-void Clusters<Dim>::build(std::span<const Vec<Dim>> positions, std::size_t nFluids) {
+void Clusters<Dim>::count(std::size_t nAll, std::size_t nFluids) {
   const auto wholeClusters = [](std::size_t n) { return (n + clusterSize - 1) / clusterSize; };
-  nParticles = positions.size();
+  nParticles = nAll;
   nFluid = nFluids;
   nFluidClusters = wholeClusters(nFluid);
   nClusters = nFluidClusters + wholeClusters(nParticles - nFluid);
+}
+
+template <int Dim>
+void Clusters<Dim>::place(std::span<const Vec<Dim>> positions,
+                          std::span<ClusterBox<Dim>> roomForBoxes) {
   origin.resize(nClusters);
-  halfSize.resize(nClusters);
+  boxes = roomForBoxes;
   forEachIndex(nClusters, [&](std::size_t c) {
-    Box<Dim> box = Box<Dim>::nothing();
-    for (const Vec<Dim>& x : positions.subspan(firstOf(c), endOf(c) - firstOf(c)))
-      for (int a = 0; a < Dim; ++a) {
-        box.lower[a] = std::min(box.lower[a], x[a]);
-        box.upper[a] = std::max(box.upper[a], x[a]);
-      }
-    origin[c] = box.center();
-    constexpr double roundUp = 0.5 * (1 + 1e-6);  // to float, and never smaller
-    for (int a = 0; a < Dim; ++a)
-      halfSize[c][a] = static_cast<float>(roundUp * (box.upper[a] - box.lower[a]));
+    const std::size_t first = firstOf(c), n = endOf(c) - first;
+    for (int a = 0; a < Dim; ++a) {
+      std::array<double, clusterSize> x{};
+      for (std::size_t k = 0; k < n; ++k) x[k] = positions[first + k][a];
+      for (std::size_t k = 1; k < n; ++k)  // by insertion: eight are few
+        for (std::size_t q = k; q > 0 && x[q] < x[q - 1]; --q) std::swap(x[q], x[q - 1]);
+      origin[c][a] = x[n / 2];
+      // To float, and never smaller.
+      constexpr double outwards = 1 + 1e-6;
+      boxes[c].lower[a] = static_cast<float>(outwards * (x[0] - origin[c][a]));
+      boxes[c].upper[a] = static_cast<float>(outwards * (x[n - 1] - origin[c][a]));
+    }
   });
 }
 
@@ -39,6 +47,7 @@ template <int Dim>
 struct TileList<Dim>::Work {
   std::vector<TileSearch<Dim>> searches;  // one a thread
   std::vector<ClusterGroup<Dim>> groups;
+  std::vector<std::size_t> nextAddition;
 };
 
 template <int Dim>
@@ -96,7 +105,8 @@ std::size_t TileList<Dim>::chunkOf(std::size_t cluster) const {
 
 template <int Dim>
 void TileList<Dim>::build(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
-                          const Box<Dim>& domain, double radius, bool wallsReceive) {
+                          const Box<Dim>& domain, double radius, double unitLength,
+                          bool wallsReceive) {
   const auto nThreads = static_cast<std::size_t>(omp_get_max_threads());
   if (work_->searches.size() < nThreads) work_->searches.resize(nThreads);
   // Chunks of equal numbers of clusters: large enough that few clusters lie outside of the chunk
@@ -104,7 +114,7 @@ void TileList<Dim>::build(std::span<const Vec<Dim>> positions, const Clusters<Di
   // depend on the number of threads, so that sums do not, either.
   constexpr std::size_t smallest = Dim == 3 ? 512 : 256, largest = 2048, wanted = 64;
   chunkSize_ = std::clamp(clusters.nClusters / wanted, smallest, largest);
-  while (!tryBuild(positions, clusters, domain, radius, wallsReceive)) {
+  while (!tryBuild(positions, clusters, domain, radius, unitLength, wallsReceive)) {
     // So many neighbours that the numbers of a chunk do not suffice: smaller chunks see fewer.
     if (chunkSize_ == 1)
       throw RunError(fmt::format(
@@ -119,7 +129,8 @@ void TileList<Dim>::build(std::span<const Vec<Dim>> positions, const Clusters<Di
 
 template <int Dim>
 bool TileList<Dim>::tryBuild(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
-                             const Box<Dim>& domain, double radius, bool wallsReceive) {
+                             const Box<Dim>& domain, double radius, double unitLength,
+                             bool wallsReceive) {
   divide(clusters, wallsReceive);
   group(clusters);
   bool fits = true;
@@ -128,8 +139,8 @@ bool TileList<Dim>::tryBuild(std::span<const Vec<Dim>> positions, const Clusters
   for (std::size_t c = 0; c < nChunks_; ++c)
     failure.watch(c, [&] {
       TileSearch<Dim>& search = work_->searches[static_cast<std::size_t>(omp_get_thread_num())];
-      fits = search.run(positions, clusters, work_->groups, domain, radius, wallsReceive,
-                        chunks_[c]) &&
+      fits = search.run(positions, clusters, work_->groups, domain, radius, unitLength,
+                        wallsReceive, chunks_[c]) &&
              fits;
     });
   failure.rethrow();
@@ -149,7 +160,8 @@ void TileList<Dim>::linkHalos(const Clusters<Dim>& clusters) {
   nSumPlaces_ = place;
   for (std::size_t c = 0; c < nChunks_; ++c) firstAddition_[c + 1] += firstAddition_[c];
   additions_.resize(place - clusters.nClusters);
-  std::vector<std::size_t> next(firstAddition_.begin(), firstAddition_.end() - 1);
+  std::vector<std::size_t>& next = work_->nextAddition;
+  next.assign(firstAddition_.begin(), firstAddition_.end() - 1);
   for (std::size_t c = 0; c < nChunks_; ++c) {
     std::uint32_t from = chunks_[c].firstHalo;
     for (const std::uint32_t cluster : chunks_[c].halo)

@@ -14,14 +14,23 @@
 
 namespace plenum {
 
+template <int Dim>
+struct ClusterBox {
+  Vec<Dim, float> lower, upper;
+};
+
 /// Where the clusters are: those of fluids first, then those of walls, each group padded to whole
 /// clusters.
 template <int Dim>
 struct Clusters {
   std::size_t nParticles = 0, nFluid = 0;
   std::size_t nFluidClusters = 0, nClusters = 0;
-  std::vector<Vec<Dim>> origin;           ///< centres of the boxes [m]; length nClusters
-  std::vector<Vec<Dim, float>> halfSize;  ///< of the boxes [m]; length nClusters
+  /// What positions are relative to: the median of the cluster's coordinates, so that one particle
+  /// far away does not take the digits of the others [m]. length nClusters
+  std::vector<Vec<Dim>> origin;
+  /// The boxes around the particles, relative to the origins, rounded outwards [m]. length
+  /// nClusters; there only for the search.
+  std::span<ClusterBox<Dim>> boxes;
 
   std::size_t firstOf(std::size_t cluster) const {
     return cluster < nFluidClusters ? cluster * clusterSize
@@ -36,16 +45,18 @@ struct Clusters {
     return particle < nFluid ? particle : nFluidClusters * clusterSize + (particle - nFluid);
   }
 
-  void build(std::span<const Vec<Dim>> positions, std::size_t nFluid);
-  std::size_t bytes() const {
-    return origin.capacity() * sizeof(Vec<Dim>) + halfSize.capacity() * sizeof(Vec<Dim, float>);
-  }
+  /// Counts; then nClusters is known.
+  void count(std::size_t nParticles, std::size_t nFluid);
+  /// Sets origins and boxes.
+  void place(std::span<const Vec<Dim>> positions, std::span<ClusterBox<Dim>> roomForBoxes);
+
+  std::size_t bytes() const { return origin.capacity() * sizeof(Vec<Dim>); }
 };
 
 /// A cluster as a chunk sees it.
 template <int Dim>
 struct LocalCluster {
-  Vec<Dim> origin;        ///< relative to the chunk, periodic image included [m]
+  Vec<Dim> origin;        ///< relative to the chunk, periodic image included [unit of length]
   std::uint32_t cluster;  ///< whose fields
   std::uint32_t sums;     ///< place of its sums: the cluster itself, or one of the chunk's halo
 };
@@ -81,9 +92,9 @@ class TileList {
   TileList(TileList&&) noexcept;
   TileList& operator=(TileList&&) noexcept;
 
-  /// All tiles with a pair closer than `radius` [m].
+  /// All tiles with a pair closer than `radius` [m]; `unitLength` [m] is that of LocalCluster.
   void build(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
-             const Box<Dim>& domain, double radius, bool wallsReceive);
+             const Box<Dim>& domain, double radius, double unitLength, bool wallsReceive);
 
   std::span<const TileChunk<Dim>> chunks() const { return {chunks_.data(), nChunks_}; }
   std::span<TileChunk<Dim>> chunks() { return {chunks_.data(), nChunks_}; }
@@ -108,7 +119,7 @@ class TileList {
   struct Work;
 
   bool tryBuild(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
-                const Box<Dim>& domain, double radius, bool wallsReceive);
+                const Box<Dim>& domain, double radius, double unitLength, bool wallsReceive);
   void divide(const Clusters<Dim>& clusters, bool wallsReceive);
   void group(const Clusters<Dim>& clusters);
   void linkHalos(const Clusters<Dim>& clusters);

@@ -46,10 +46,12 @@ BoxRows<Dim> rowsOf(const std::array<std::vector<float>, Dim>& centers,
 template <int Dim>
 bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
                           std::span<const ClusterGroup<Dim>> groups, const Box<Dim>& domain,
-                          double radius, bool wallsReceive, TileChunk<Dim>& chunk) {
+                          double radius, double unitLength, bool wallsReceive,
+                          TileChunk<Dim>& chunk) {
   clusters_ = &clusters;
   positions_ = positions;
   wallsReceive_ = wallsReceive;
+  perUnit_ = 1 / unitLength;
   begin(chunk, radius);
   const std::uint32_t firstOwn = chunk.firstCluster, lastOwn = firstOwn + chunk.nClusters;
   for (std::uint32_t c = firstOwn; c < lastOwn; ++c) addCandidate(c, Vec<Dim>{});
@@ -67,7 +69,7 @@ bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Di
   }
   for (std::size_t c = 0; c < nOwn; ++c) {
     const Candidate& own = candidates_[c];
-    chunk.locals.push_back({own.origin, own.cluster, own.cluster});
+    chunk.locals.push_back({perUnit_ * own.origin, own.cluster, own.cluster});
     candidates_[c].local = static_cast<std::uint32_t>(c);
   }
   for (std::size_t c = 0; c < nOwn; ++c) findTilesOf(c, chunk);
@@ -117,9 +119,13 @@ template <int Dim>
 void TileSearch<Dim>::addCandidate(std::uint32_t cluster, const Vec<Dim>& shift) {
   const Vec<Dim> origin = clusters_->origin[cluster] + shift - origin_;
   candidates_.push_back({origin, cluster, notLocal});
+  const ClusterBox<Dim>& box = clusters_->boxes[cluster];
   for (int a = 0; a < Dim; ++a) {
-    centers_[static_cast<std::size_t>(a)].push_back(static_cast<float>(origin[a]));
-    halves_[static_cast<std::size_t>(a)].push_back(clusters_->halfSize[cluster][a]);
+    const auto axis = static_cast<std::size_t>(a);
+    const double lower = static_cast<double>(box.lower[a]),
+                 upper = static_cast<double>(box.upper[a]);
+    centers_[axis].push_back(static_cast<float>(origin[a] + 0.5 * (lower + upper)));
+    halves_[axis].push_back(static_cast<float>(0.5 * (1 + 1e-6) * (upper - lower)));
   }
   // Where there are fewer than eight particles, the last one again.
   const std::size_t first = clusters_->firstOf(cluster), end = clusters_->endOf(cluster);
@@ -204,7 +210,7 @@ std::uint32_t TileSearch<Dim>::localOf(Candidate& candidate, TileChunk<Dim>& chu
     sums = inHalo + static_cast<std::uint32_t>(chunk.halo.size());
     chunk.halo.push_back(candidate.cluster);
   }
-  chunk.locals.push_back({candidate.origin, candidate.cluster, sums});
+  chunk.locals.push_back({perUnit_ * candidate.origin, candidate.cluster, sums});
   return candidate.local;
 }
 

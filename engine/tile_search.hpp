@@ -20,9 +20,9 @@ template <int Dim>
 Box<Dim> boxOf(const Clusters<Dim>& clusters, std::size_t cluster) {
   Box<Dim> box;
   for (int a = 0; a < Dim; ++a) {
-    const double half = static_cast<double>(clusters.halfSize[cluster][a]);
-    box.lower[a] = clusters.origin[cluster][a] - half;
-    box.upper[a] = clusters.origin[cluster][a] + half;
+    const double origin = clusters.origin[cluster][a];
+    box.lower[a] = origin + static_cast<double>(clusters.boxes[cluster].lower[a]);
+    box.upper[a] = origin + static_cast<double>(clusters.boxes[cluster].upper[a]);
   }
   return box;
 }
@@ -44,7 +44,7 @@ class TileSearch {
   /// clusters, and the chunk is of no use then. The work space stays for the next call.
   bool run(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
            std::span<const ClusterGroup<Dim>> groups, const Box<Dim>& domain, double radius,
-           bool wallsReceive, TileChunk<Dim>& chunk);
+           double unitLength, bool wallsReceive, TileChunk<Dim>& chunk);
 
  private:
   struct Candidate {
@@ -65,8 +65,9 @@ class TileSearch {
   const Clusters<Dim>* clusters_ = nullptr;
   std::span<const Vec<Dim>> positions_;
   bool wallsReceive_ = false;
-  Box<Dim> box_;     // of the chunk
-  Vec<Dim> origin_;  // its centre
+  double perUnit_ = 1;  // units of length in a metre
+  Box<Dim> box_;        // of the chunk
+  Vec<Dim> origin_;     // its centre
   double radius_ = 0;
   // Clusters that may be in a tile: the chunk's own, their images, those of other fluids, of walls.
   std::vector<Candidate> candidates_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The field table: every quantity a particle may carry, with its unit and rank. It alone drives
-// allocation, sorting, particle files and VTU output. A new field is a FieldId, a row and a name here;
-// a field that pair terms use has a member in engine/pair.hpp, too.
+// allocation, sorting, particle files and VTU output. A new field is a FieldId, a row and a name
+// here; a field that pair terms use has a member in engine/pair.hpp, too.
 #pragma once
 
 #include "particles/vec.hpp"
@@ -47,6 +47,11 @@ enum class FieldId : std::uint8_t {
 inline constexpr std::size_t nFields = static_cast<std::size_t>(FieldId::count);
 static_assert(nFields <= 32, "FieldSet keeps one bit a field in 32 bits");
 
+/// Powers of the units of mass, length (with one part a dimension) and time in a unit.
+struct UnitPowers {
+  int mass = 0, length = 0, lengthPerDimension = 0, time = 0;
+};
+
 struct FieldInfo {
   FieldId id;
   std::string_view name;      ///< in messages, VTU files and `--help`
@@ -56,23 +61,73 @@ struct FieldInfo {
   Scope scope;
   bool isState;  ///< written to files; rates and changes are scratch of a step
   std::string_view description;
+  UnitPowers powers = {};
 };
 
 inline constexpr std::array<FieldInfo, nFields> fieldTable{{
-    {FieldId::position, "position", "Coordinates", "m", Rank::vector, Scope::all, true,
-     "particle position"},
-    {FieldId::velocity, "velocity", "Velocities", "m/s", Rank::vector, Scope::all, true,
-     "particle velocity"},
-    {FieldId::mass, "mass", "Masses", "kg", Rank::scalar, Scope::all, true,
-     "particle mass"},
-    {FieldId::density, "density", "Density", "kg/m^d", Rank::scalar, Scope::all, true,
-     "mass density"},
-    {FieldId::pressure, "pressure", "Pressure", "Pa m^(3-d)", Rank::scalar, Scope::all, true,
-     "pressure"},
-    {FieldId::smoothingLength, "smoothing_length", "SmoothingLength", "m", Rank::scalar, Scope::all,
-     true, "smoothing length h; the kernel's support is 2h"},
-    {FieldId::internalEnergy, "internal_energy", "InternalEnergy", "J/kg", Rank::scalar, Scope::all,
-     true, "specific internal energy"},
+    {FieldId::position,
+     "position",
+     "Coordinates",
+     "m",
+     Rank::vector,
+     Scope::all,
+     true,
+     "particle position",
+     {0, 1, 0, 0}},
+    {FieldId::velocity,
+     "velocity",
+     "Velocities",
+     "m/s",
+     Rank::vector,
+     Scope::all,
+     true,
+     "particle velocity",
+     {0, 1, 0, -1}},
+    {FieldId::mass,
+     "mass",
+     "Masses",
+     "kg",
+     Rank::scalar,
+     Scope::all,
+     true,
+     "particle mass",
+     {1, 0, 0, 0}},
+    {FieldId::density,
+     "density",
+     "Density",
+     "kg/m^d",
+     Rank::scalar,
+     Scope::all,
+     true,
+     "mass density",
+     {1, 0, -1, 0}},
+    {FieldId::pressure,
+     "pressure",
+     "Pressure",
+     "Pa m^(3-d)",
+     Rank::scalar,
+     Scope::all,
+     true,
+     "pressure",
+     {1, 2, -1, -2}},
+    {FieldId::smoothingLength,
+     "smoothing_length",
+     "SmoothingLength",
+     "m",
+     Rank::scalar,
+     Scope::all,
+     true,
+     "smoothing length h; the kernel's support is 2h",
+     {0, 1, 0, 0}},
+    {FieldId::internalEnergy,
+     "internal_energy",
+     "InternalEnergy",
+     "J/kg",
+     Rank::scalar,
+     Scope::all,
+     true,
+     "specific internal energy",
+     {0, 2, 0, -2}},
     {FieldId::id, "id", "ParticleIDs", "", Rank::id, Scope::all, true,
      "unique number; walls come first"},
     {FieldId::material, "material", "MaterialIDs", "", Rank::label, Scope::fluid, true,
@@ -81,14 +136,42 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      "row of the wall in /Plenum/Walls; -1 in fluids' rows of files"},
     {FieldId::normal, "normal", "Normals", "", Rank::vector, Scope::walls, true,
      "unit normal of the nearest wall surface, into the fluid; zero in fluids"},
-    {FieldId::wallDistance, "wall_distance", "WallDistances", "m", Rank::scalar, Scope::walls, true,
-     "depth of a wall particle behind its surface; zero in fluids"},
-    {FieldId::densityRate, "density_rate", "DensityRates", "kg/(m^d s)", Rank::scalar, Scope::all,
-     false, "rate of change of density"},
-    {FieldId::acceleration, "acceleration", "Accelerations", "m/s^2", Rank::vector, Scope::fluid,
-     false, "acceleration"},
-    {FieldId::velocityChange, "velocity_change", "VelocityChanges", "m/s", Rank::vector,
-     Scope::fluid, false, "change of velocity by collisions in this step"},
+    {FieldId::wallDistance,
+     "wall_distance",
+     "WallDistances",
+     "m",
+     Rank::scalar,
+     Scope::walls,
+     true,
+     "depth of a wall particle behind its surface; zero in fluids",
+     {0, 1, 0, 0}},
+    {FieldId::densityRate,
+     "density_rate",
+     "DensityRates",
+     "kg/(m^d s)",
+     Rank::scalar,
+     Scope::all,
+     false,
+     "rate of change of density",
+     {1, 0, -1, -1}},
+    {FieldId::acceleration,
+     "acceleration",
+     "Accelerations",
+     "m/s^2",
+     Rank::vector,
+     Scope::fluid,
+     false,
+     "acceleration",
+     {0, 1, 0, -2}},
+    {FieldId::velocityChange,
+     "velocity_change",
+     "VelocityChanges",
+     "m/s",
+     Rank::vector,
+     Scope::fluid,
+     false,
+     "change of velocity by collisions in this step",
+     {0, 1, 0, -1}},
 }};
 
 constexpr const FieldInfo& infoOf(FieldId id) { return fieldTable[static_cast<std::size_t>(id)]; }

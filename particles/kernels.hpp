@@ -296,7 +296,7 @@ namespace kernel {
 
 /// Place of a profile in `forEachProfile`.
 template <class Profile>
-constexpr int indexOf() {
+consteval int indexOf() {
   int index = -1, k = 0;
   forEachProfile([&](auto profile) {
     if (profile.name == Profile::name) index = k;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/pair_pass.hpp"
+#include "engine/units.hpp"
 #include "particles/case_settings.hpp"
 
 #include <string>
@@ -16,10 +17,11 @@ struct StepPasses {
   PairPass<Dim> collisions;  ///< writes velocityChange
 };
 
-/// `spacing` is d_ref [m]. Kernels in the scenes' list get a loop of their own; the others share
-/// one loop that chooses the kernel at run time.
+/// `spacing` is d_ref [m], `units` are those of the engine. Kernels in the scenes' list get a loop
+/// of their own; the others share one loop that chooses the kernel at run time.
 template <int Dim>
-StepPasses<Dim> selectPasses(const SolverSettings& settings, double spacing, bool hasWalls);
+StepPasses<Dim> selectPasses(const SolverSettings& settings, double spacing, bool hasWalls,
+                             const Units& units);
 
 /// Momentum form with "matching" resolved.
 std::string momentumForm(const SolverSettings& settings);

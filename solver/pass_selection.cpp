@@ -8,7 +8,11 @@ namespace plenum {
 namespace {
 
 template <int Dim, class... Terms>
-PairPass<Dim> makePass(PassChoice choice, TermList<Terms...> list, Group receivers, Group sources) {
+PairPass<Dim> makePass(PassChoice choice, TermList<Terms...> list, const Units& units,
+                       Group receivers, Group sources) {
+  choice.smoothingLength /= units.length;
+  ((static_cast<Terms&>(choice.terms) = inUnits(static_cast<const Terms&>(choice.terms), units)),
+   ...);
   choice.termList = indexOf<TermList<Terms...>>();
   PairPass<Dim> pass;
   pass.reads = list.reads;
@@ -24,11 +28,12 @@ PairPass<Dim> makePass(PassChoice choice, TermList<Terms...> list, Group receive
 }
 
 template <int Dim>
-PairPass<Dim> forcePass(const PassChoice& choice, const SolverSettings& settings) {
+PairPass<Dim> forcePass(const PassChoice& choice, const SolverSettings& settings,
+                        const Units& units) {
   using namespace term;
   const bool viscous = settings.viscosity && settings.viscosity->monaghan;
   const auto make = [&](auto list) {
-    return makePass<Dim>(choice, list, Group::fluids, Group::all);
+    return makePass<Dim>(choice, list, units, Group::fluids, Group::all);
   };
   if (momentumForm(settings) == "density_squared")
     return viscous ? make(TermList<PressureDensitySquared, MonaghanViscosity>{})
@@ -45,7 +50,8 @@ std::string momentumForm(const SolverSettings& settings) {
 }
 
 template <int Dim>
-StepPasses<Dim> selectPasses(const SolverSettings& settings, double spacing, bool hasWalls) {
+StepPasses<Dim> selectPasses(const SolverSettings& settings, double spacing, bool hasWalls,
+                             const Units& units) {
   PassChoice choice;
   choice.kernel = KernelId::named(settings.kernel).index();
   choice.smoothingLength = settings.smoothingLength * spacing;
@@ -59,22 +65,24 @@ StepPasses<Dim> selectPasses(const SolverSettings& settings, double spacing, boo
                                                    settings.collisions->range * spacing};
   StepPasses<Dim> passes;
   const Group receivers = hasWalls && settings.wallsEvolve() ? Group::all : Group::fluids;
-  passes.density = settings.density == "summation"
-                       ? makePass<Dim>(choice, TermList<term::DensitySum>{}, receivers, Group::all)
-                       : makePass<Dim>(choice, TermList<term::Continuity>{}, receivers, Group::all);
-  passes.forces = forcePass<Dim>(choice, settings);
+  passes.density =
+      settings.density == "summation"
+          ? makePass<Dim>(choice, TermList<term::DensitySum>{}, units, receivers, Group::all)
+          : makePass<Dim>(choice, TermList<term::Continuity>{}, units, receivers, Group::all);
+  passes.forces = forcePass<Dim>(choice, settings, units);
   if (settings.collisions) {
     const std::string& pairs = settings.collisions->pairs;
     const Group sources = pairs == "fluid"  ? Group::fluids
                           : pairs == "wall" ? Group::walls
                                             : Group::all;
-    passes.collisions = makePass<Dim>(choice, TermList<term::Collision>{}, Group::fluids, sources);
+    passes.collisions =
+        makePass<Dim>(choice, TermList<term::Collision>{}, units, Group::fluids, sources);
   }
   return passes;
 }
 
-template StepPasses<1> selectPasses<1>(const SolverSettings&, double, bool);
-template StepPasses<2> selectPasses<2>(const SolverSettings&, double, bool);
-template StepPasses<3> selectPasses<3>(const SolverSettings&, double, bool);
+template StepPasses<1> selectPasses<1>(const SolverSettings&, double, bool, const Units&);
+template StepPasses<2> selectPasses<2>(const SolverSettings&, double, bool, const Units&);
+template StepPasses<3> selectPasses<3>(const SolverSettings&, double, bool, const Units&);
 
 }  // namespace plenum

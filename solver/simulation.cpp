@@ -48,11 +48,14 @@ Scene<Dim>& checked(Scene<Dim>& scene, const SolverSettings& settings) {
 }
 
 template <int Dim>
-typename Engine<Dim>::Options engineOptions(const SceneInfo<Dim>& info, const SolverSettings& s) {
+typename Engine<Dim>::Options engineOptions(const Scene<Dim>& scene, const SolverSettings& s) {
+  const SceneInfo<Dim>& info = scene.info;
   typename Engine<Dim>::Options options;
   options.support = 2 * s.smoothingLength * info.spacing;
   options.wallsReceive = !info.walls.empty() && s.wallsEvolve();
   options.precision = s.precision == "double" ? Precision::doubled : Precision::mixed;
+  options.units =
+      Units::near(s.smoothingLength * info.spacing, scene.particles[field::mass][0], s.soundSpeed);
   return options;
 }
 
@@ -62,8 +65,9 @@ template <int Dim>
 Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings)
     : settings_(settings),
       scene_(std::move(checked(scene, settings))),
-      engine_(scene_.info.domain, engineOptions(scene_.info, settings)),
-      passes_(selectPasses<Dim>(settings, scene_.info.spacing, scene_.particles.nWalls() > 0)),
+      engine_(scene_.info.domain, engineOptions(scene_, settings)),
+      passes_(selectPasses<Dim>(settings, scene_.info.spacing, scene_.particles.nWalls() > 0,
+                                engine_.units())),
       materials_(fluidStates(scene_.info.materials, settings)),
       wallMaterials_(wallStates(scene_.info.walls, settings)),
       wallMotion_(scene_.info.walls, scene_.particles, scene_.info.domain, scene_.info.time) {

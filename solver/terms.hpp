@@ -5,6 +5,7 @@
 #pragma once
 
 #include "engine/pair.hpp"
+#include "engine/units.hpp"
 
 namespace plenum::term {
 
@@ -74,12 +75,15 @@ struct MonaghanViscosity {
   double beta = 0;
   double soundSpeed = 0;  ///< [m/s]
 
+  MonaghanViscosity inUnits(const Units& units) const {
+    return {alpha, beta, soundSpeed / units.speed()};
+  }
+
   template <class Real, int Dim>
   [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
     const Real meanDensity = Real(0.5) * (ij.i.density + ij.j.density);
     const Real softened = ij.distanceSquared + Real(0.01) * ij.h * ij.h;
-    const Real muOverDensity =
-        ij.h * negativePart(ij.velocityDotR) / (softened * meanDensity);
+    const Real muOverDensity = ij.h * negativePart(ij.velocityDotR) / (softened * meanDensity);
     const Real mu = muOverDensity * meanDensity;
     const Real Pi = muOverDensity * (Real(beta) * mu - Real(alpha * soundSpeed));
     i.acceleration -= ij.j.mass * Pi * ij.gradW();
@@ -96,6 +100,8 @@ struct Collision {
 
   double restitution = 0;  ///< C_R
   double range = 0;        ///< delta_c d_ref [m]
+
+  Collision inUnits(const Units& units) const { return {restitution, range / units.length}; }
 
   template <class Real, int Dim>
   [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
