@@ -102,7 +102,7 @@ void Engine<Dim>::search(const ParticleSet<Dim>& particles) {
   const auto positions = particles[field::position];
   clusters_.count(particles.size(), particles.nFluid());
   arena_.begin(clusters_.nClusters * sizeof(ClusterBox<Dim>));
-  clusters_.place(positions, arena_.take<ClusterBox<Dim>>(clusters_.nClusters));
+  clusters_.place(positions, domain_, arena_.take<ClusterBox<Dim>>(clusters_.nClusters));
   list_.build(positions, clusters_, domain_, options_.support + skin_, options_.units.length,
               options_.wallsReceive);
   travelled_ = 0;

@@ -63,7 +63,7 @@ class Engine {
     double skin = 0.2;          ///< extra list radius, in units of the support
     bool wallsReceive = false;  ///< some pass has walls among its receivers
     Precision precision = Precision::mixed;
-    Units units;  ///< that passes were made for
+    Units units = {};  ///< that passes were made for
   };
 
   /// Throws InputError if a periodic axis of `domain` is shorter than twice the support.

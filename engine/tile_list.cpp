@@ -24,6 +24,7 @@ void Clusters<Dim>::count(std::size_t nAll, std::size_t nFluids) {
 
 template <int Dim>
 void Clusters<Dim>::place(std::span<const Vec<Dim>> positions,
+                          const Box<Dim>& domain,
                           std::span<ClusterBox<Dim>> roomForBoxes) {
   origin.resize(nClusters);
   boxes = roomForBoxes;
@@ -34,7 +35,7 @@ void Clusters<Dim>::place(std::span<const Vec<Dim>> positions,
       for (std::size_t k = 0; k < n; ++k) x[k] = positions[first + k][a];
       for (std::size_t k = 1; k < n; ++k)  // by insertion: eight are few
         for (std::size_t q = k; q > 0 && x[q] < x[q - 1]; --q) std::swap(x[q], x[q - 1]);
-      origin[c][a] = x[n / 2];
+      origin[c][a] = domain.isPeriodic(a) ? 0.5 * (x[0] + x[n - 1]) : x[n / 2];
       // To float, and never smaller.
       constexpr double outwards = 1 + 1e-6;
       boxes[c].lower[a] = static_cast<float>(outwards * (x[0] - origin[c][a]));

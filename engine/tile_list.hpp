@@ -25,8 +25,9 @@ template <int Dim>
 struct Clusters {
   std::size_t nParticles = 0, nFluid = 0;
   std::size_t nFluidClusters = 0, nClusters = 0;
-  /// What positions are relative to: the median of the cluster's coordinates, so that one particle
-  /// far away does not take the digits of the others [m]. length nClusters
+  /// What positions are relative to [m], length nClusters: along open axes the median of the
+  /// coordinates, so that one particle far away does not take the digits of the others; along
+  /// periodic axes the middle, which is never further than half a period from a particle.
   std::vector<Vec<Dim>> origin;
   /// The boxes around the particles, relative to the origins, rounded outwards [m]. length
   /// nClusters; there only for the search.
@@ -48,7 +49,8 @@ struct Clusters {
   /// Counts; then nClusters is known.
   void count(std::size_t nParticles, std::size_t nFluid);
   /// Sets origins and boxes.
-  void place(std::span<const Vec<Dim>> positions, std::span<ClusterBox<Dim>> roomForBoxes);
+  void place(std::span<const Vec<Dim>> positions, const Box<Dim>& domain,
+             std::span<ClusterBox<Dim>> roomForBoxes);
 
   std::size_t bytes() const { return origin.capacity() * sizeof(Vec<Dim>); }
 };

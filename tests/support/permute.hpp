@@ -9,15 +9,11 @@
 
 namespace plenum::test {
 
-/// ParticleSet::permute with work space of its own, where it wants some.
+/// ParticleSet::permute with work space of its own.
 template <class Particles>
 void permute(Particles& particles, std::span<const std::uint32_t> order) {
-  if constexpr (requires { particles.permute(order); }) {
-    particles.permute(order);
-  } else {
-    std::vector<std::byte> scratch(particles.size() * Particles::permuteBytes);
-    particles.permute(order, scratch);
-  }
+  std::vector<std::byte> scratch(particles.size() * Particles::permuteBytes);
+  particles.permute(order, scratch);
 }
 
 }  // namespace plenum::test

@@ -70,14 +70,9 @@ Points<Dim> clump(std::size_t n) {
 template <int Dim>
 std::vector<std::uint32_t> orderBy(SpatialOrder<Dim>& spatialOrder, const Points<Dim>& points) {
   const std::size_t n = points.size();
-  if constexpr (requires { spatialOrder.order(); }) {
-    spatialOrder.sort(points);
-    return {spatialOrder.order().begin(), spatialOrder.order().end()};
-  } else {
-    std::vector<std::uint32_t> order(n), work(n), more(n);
-    spatialOrder.sort(points, order, work, more);
-    return order;
-  }
+  std::vector<std::uint32_t> order(n), work(n), more(n);
+  spatialOrder.sort(points, order, work, more);
+  return order;
 }
 
 template <int Dim>

@@ -48,7 +48,15 @@ struct Sample {
   Box<Dim> domain;
   std::vector<Vec<Dim>> positions;
   Clusters<Dim> clusters;
+  std::vector<ClusterBox<Dim>> boxes = {};
 };
+
+template <int Dim>
+void placeClusters(Sample<Dim>& sample, std::size_t nFluid) {
+  sample.clusters.count(sample.positions.size(), nFluid);
+  sample.boxes.resize(sample.clusters.nClusters);
+  sample.clusters.place(sample.positions, sample.domain, sample.boxes);
+}
 
 template <int Dim>
 Sample<Dim> sampleOf(const Box<Dim>& domain, std::size_t nFluid, std::size_t nWalls) {
@@ -59,7 +67,7 @@ Sample<Dim> sampleOf(const Box<Dim>& domain, std::size_t nFluid, std::size_t nWa
   Sample<Dim> sample{domain, {}, {}};
   const auto x = particles[field::position];
   sample.positions.assign(x.begin(), x.end());
-  sample.clusters.build(sample.positions, nFluid);
+  placeClusters(sample, nFluid);
   return sample;
 }
 
@@ -150,7 +158,7 @@ void expectComplete(const Box<Dim>& domain, std::size_t nFluid, std::size_t nWal
                                     << radius << ", periodic " << domain.anyPeriodic()
                                     << ", walls receive " << wallsReceive);
     TileList<Dim> list;
-    list.build(sample.positions, sample.clusters, domain, radius, wallsReceive);
+    list.build(sample.positions, sample.clusters, domain, radius, 1, wallsReceive);
     expectOnce(giftsOf(list, sample, wallsReceive, false),
                expectedGifts<Dim>(sample, sample.positions, radius, wallsReceive));
   }
@@ -209,7 +217,7 @@ TYPED_TEST(TileListTest, NearTilesHoldEveryPairInTheSupportWhileParticlesMove) {
           const auto x = particles[field::position];
           if (engine.update(particles)) {
             sample.positions.assign(x.begin(), x.end());
-            sample.clusters.build(sample.positions, particles.nFluid());
+            placeClusters(sample, particles.nFluid());
           }
           // Images as the clusters of the list have them.
           const Periodicity<Dim> periodicity(domain);
@@ -238,7 +246,7 @@ TYPED_TEST(TileListTest, IsTheSameForAnyNumberOfThreads) {
   for (const int nThreads : {1, 2, 3}) {
     omp_set_num_threads(nThreads);
     TileList<Dim> list;
-    list.build(sample.positions, sample.clusters, sample.domain, 0.1, true);
+    list.build(sample.positions, sample.clusters, sample.domain, 0.1, 1, true);
     std::vector<std::uint32_t> all;
     for (const TileChunk<Dim>& chunk : list.chunks()) {
       for (const auto tile : chunk.tiles) {
