@@ -23,8 +23,7 @@ void Clusters<Dim>::count(std::size_t nAll, std::size_t nFluids) {
 }
 
 template <int Dim>
-void Clusters<Dim>::place(std::span<const Vec<Dim>> positions,
-                          const Box<Dim>& domain,
+void Clusters<Dim>::place(std::span<const Vec<Dim>> positions, const Box<Dim>& domain,
                           std::span<ClusterBox<Dim>> roomForBoxes) {
   origin.resize(nClusters);
   boxes = roomForBoxes;
@@ -160,7 +159,9 @@ void TileList<Dim>::linkHalos(const Clusters<Dim>& clusters) {
   }
   nSumPlaces_ = place;
   for (std::size_t c = 0; c < nChunks_; ++c) firstAddition_[c + 1] += firstAddition_[c];
-  additions_.resize(place - clusters.nClusters);
+  const std::size_t nAdditions = place - clusters.nClusters;
+  if (additions_.capacity() < nAdditions) additions_.reserve(nAdditions + nAdditions / 8 + 64);
+  additions_.resize(nAdditions);
   std::vector<std::size_t>& next = work_->nextAddition;
   next.assign(firstAddition_.begin(), firstAddition_.end() - 1);
   for (std::size_t c = 0; c < nChunks_; ++c) {

@@ -30,6 +30,16 @@ void forEachImage(const Box<Dim>& domain, Visit&& visit) {
 /// A far-away box at the end of arrays of boxes, as often as a pack may read past the last.
 constexpr float farAway = 1e18f;
 
+/// Copies with a little room to grow, so that later searches seldom have to allocate.
+template <class Value>
+void copyWithRoom(const std::vector<Value>& from, std::vector<Value>& to) {
+  if (to.capacity() < from.size()) {
+    to = {};
+    to.reserve(from.size() + from.size() / 4 + 256);
+  }
+  to.assign(from.begin(), from.end());
+}
+
 template <int Dim>
 BoxRows<Dim> rowsOf(const std::array<std::vector<float>, Dim>& centers,
                     const std::array<std::vector<float>, Dim>& halves) {
@@ -66,22 +76,55 @@ bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Di
   for (std::size_t a = 0; a < Dim; ++a) {
     centers_[a].insert(centers_[a].end(), boxPadding, farAway);
     halves_[a].insert(halves_[a].end(), boxPadding, 0.0f);
+    nearCenters_[a].resize(centers_[a].size());
+    nearHalves_[a].resize(centers_[a].size());
   }
+  nearCluster_.resize(candidates_.size() + boxPadding);
+  nearHalf_.resize(candidates_.size() + boxPadding);
   for (std::size_t c = 0; c < nOwn; ++c) {
     const Candidate& own = candidates_[c];
-    chunk.locals.push_back({perUnit_ * own.origin, own.cluster, own.cluster});
+    found_.locals.push_back({perUnit_ * own.origin, own.cluster, own.cluster});
     candidates_[c].local = static_cast<std::uint32_t>(c);
   }
-  for (std::size_t c = 0; c < nOwn; ++c) findTilesOf(c, chunk);
+  for (std::size_t c = 0; c < nOwn; ++c) findTilesOf(c, found_);
+  copyWithRoom(found_.counts, chunk.counts);
+  copyWithRoom(found_.tiles, chunk.tiles);
+  copyWithRoom(found_.locals, chunk.locals);
+  copyWithRoom(found_.halo, chunk.halo);
+  keepRoom();
   return chunk.locals.size() <= maxLocals;
 }
 
+/// Work space for twice as much, so that only the first searches allocate.
 template <int Dim>
-void TileSearch<Dim>::begin(TileChunk<Dim>& chunk, double radius) {
-  chunk.counts.clear();
-  chunk.tiles.clear();
-  chunk.locals.clear();
-  chunk.halo.clear();
+void TileSearch<Dim>::keepRoom() {
+  const auto keep = [](auto& values) {
+    if (values.capacity() < values.size() + values.size() / 8) values.reserve(2 * values.size());
+  };
+  keep(candidates_);
+  keep(points_);
+  keep(nearCluster_);
+  keep(nearHalf_);
+  keep(found_.counts);
+  keep(found_.tiles);
+  keep(found_.locals);
+  keep(found_.halo);
+  for (std::size_t a = 0; a < Dim; ++a) {
+    keep(centers_[a]);
+    keep(halves_[a]);
+    keep(nearCenters_[a]);
+    keep(nearHalves_[a]);
+  }
+}
+
+template <int Dim>
+void TileSearch<Dim>::begin(const TileChunk<Dim>& chunk, double radius) {
+  found_.firstCluster = chunk.firstCluster;
+  found_.nClusters = chunk.nClusters;
+  found_.counts.clear();
+  found_.tiles.clear();
+  found_.locals.clear();
+  found_.halo.clear();
   candidates_.clear();
   points_.clear();
   for (std::size_t a = 0; a < Dim; ++a) {
@@ -163,19 +206,15 @@ void TileSearch<Dim>::findTilesOf(std::size_t own, TileChunk<Dim>& chunk) {
 
   // First those near the whole cluster; their boxes side by side.
   const std::size_t n = candidates_.size();
-  nearCluster_.resize(n + boxPadding);
   const std::size_t nNear = select(rowsOf<Dim>(centers_, halves_), own, n,
                                    boxOfPoints(own, 0, clusterSize), radius, nearCluster_.data());
   for (std::size_t a = 0; a < Dim; ++a) {
-    nearCenters_[a].resize(nNear + boxPadding);
-    nearHalves_[a].resize(nNear + boxPadding);
     for (std::size_t k = 0; k < nNear; ++k) {
       nearCenters_[a][k] = centers_[a][nearCluster_[k]];
       nearHalves_[a][k] = halves_[a][nearCluster_[k]];
     }
   }
   const std::uint32_t cluster = candidates_[own].cluster;
-  nearHalf_.resize(nNear + boxPadding);
   for (std::size_t part = 0; part < 2; ++part) {
     const FloatBox<Dim> box =
         boxOfPoints(own, part * clusterSize / 2, (part + 1) * clusterSize / 2);

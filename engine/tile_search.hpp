@@ -54,7 +54,8 @@ class TileSearch {
   };
   static constexpr std::uint32_t notLocal = std::numeric_limits<std::uint32_t>::max();
 
-  void begin(TileChunk<Dim>& chunk, double radius);
+  void keepRoom();
+  void begin(const TileChunk<Dim>& chunk, double radius);
   void addNear(const ClusterGroup<Dim>& group, const Vec<Dim>& shift);
   bool isNear(const Box<Dim>& box, const Vec<Dim>& shift) const;
   void addCandidate(std::uint32_t cluster, const Vec<Dim>& shift);
@@ -75,6 +76,7 @@ class TileSearch {
   std::vector<float> points_;                             // [candidate][axis][particle]
   std::array<std::vector<float>, Dim> nearCenters_, nearHalves_;  // of those near one cluster
   std::vector<std::uint32_t> nearCluster_, nearHalf_;
+  TileChunk<Dim> found_;
 };
 
 extern template class TileSearch<1>;

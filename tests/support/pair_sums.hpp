@@ -39,7 +39,8 @@ struct PairSums {
   double typicalSize(int component, std::size_t first, std::size_t last) const {
     long double squares = 0;
     for (std::size_t i = first; i < last; ++i) {
-      const long double s = size[i * static_cast<std::size_t>(nOut) + static_cast<std::size_t>(component)];
+      const long double s =
+          size[i * static_cast<std::size_t>(nOut) + static_cast<std::size_t>(component)];
       squares += s * s;
     }
     return static_cast<double>(std::sqrt(squares / static_cast<long double>(last - first)));
@@ -102,14 +103,10 @@ PairSums sumOfAllPairs(const Pass<Profile, Terms...>& pass, const ParticleSet<Di
       const Real R = std::sqrt(distanceSquared) / h;
       const Real F = sigmaW / (h * h) * pass.profile.g(R);
       Sums<Real, Dim> pair;
-      const Pair<Real, Dim> ij{views[i],
-                               views[j],
-                               r,
-                               distanceSquared,
-                               h,
-                               sigmaW * pass.profile.f(R),
-                               F,
-                               dot(views[i].velocity - views[j].velocity, r)};
+      const Pair<Real, Dim> ij{views[i], views[j],
+                               r,        distanceSquared,
+                               h,        sigmaW * pass.profile.f(R),
+                               F,        dot(views[i].velocity - views[j].velocity, r)};
       std::apply([&](const auto&... term) { (term(ij, pair), ...); }, pass.terms);
       const auto add = [&](int component, Real value) {
         const std::size_t k = i * nOut + static_cast<std::size_t>(component);
@@ -144,11 +141,13 @@ double worstDeviation(const Engine<Dim>& engine, FieldSet writes, const Particle
   double worst = 0;
   const auto compare = [&](int component, std::size_t i, double sum) {
     const double typical = expected.typicalSize(component, first, last);
-    const long double value =
-        expected.value[i * static_cast<std::size_t>(expected.nOut) + static_cast<std::size_t>(component)];
+    const long double value = expected.value[i * static_cast<std::size_t>(expected.nOut) +
+                                             static_cast<std::size_t>(component)];
     if (!std::isfinite(sum)) worst = std::numeric_limits<double>::infinity();
-    if (typical > 0) worst = std::max(worst, std::abs(static_cast<double>(sum - value)) / typical);
-    else if (sum != 0) worst = std::numeric_limits<double>::infinity();
+    if (typical > 0)
+      worst = std::max(worst, std::abs(static_cast<double>(sum - value)) / typical);
+    else if (sum != 0)
+      worst = std::numeric_limits<double>::infinity();
   };
   Sums<double, Dim>::forEachMember([&](auto tag, auto) {
     constexpr FieldInfo info = infoOf(tag);

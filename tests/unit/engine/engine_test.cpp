@@ -137,8 +137,8 @@ void expectRightWithStrays(double distance) {
       const double rounding = precision == Precision::mixed ? 0 : 4e-16 * distance / 0.15;
       EXPECT_LE(deviation, toleranceOf(precision) + rounding)
           << test::nameOf(precision) << ", " << nStrays << " strays, " << distance << " m away";
-      std::cout << "  " << nStrays << " strays at " << distance << " m, "
-                << test::nameOf(precision) << ": " << deviation << "\n";
+      std::cout << "  " << nStrays << " strays at " << distance << " m, " << test::nameOf(precision)
+                << ": " << deviation << "\n";
     }
 }
 

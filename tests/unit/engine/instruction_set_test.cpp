@@ -77,10 +77,10 @@ TEST(InstructionSet, TheBaselineIsAlwaysThere) {
 TEST(InstructionSet, EachHasItsTypeAndName) {
   EXPECT_EQ(nameOf(InstructionSet::avx2), isa::Avx2::name);
   EXPECT_EQ(nameOf(InstructionSet::avx512), isa::Avx512::name);
-  EXPECT_TRUE(withInstructionSet(InstructionSet::avx512,
-                                 [](auto isa) { return std::is_same_v<decltype(isa), isa::Avx512>; }));
-  EXPECT_TRUE(withInstructionSet(InstructionSet::avx2,
-                                 [](auto isa) { return std::is_same_v<decltype(isa), isa::Avx2>; }));
+  EXPECT_TRUE(withInstructionSet(
+      InstructionSet::avx512, [](auto isa) { return std::is_same_v<decltype(isa), isa::Avx512>; }));
+  EXPECT_TRUE(withInstructionSet(
+      InstructionSet::avx2, [](auto isa) { return std::is_same_v<decltype(isa), isa::Avx2>; }));
 }
 #endif
 

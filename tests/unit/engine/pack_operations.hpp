@@ -7,8 +7,22 @@
 namespace plenum::test {
 
 enum class PackOperation {
-  add, subtract, multiply, divide, addTo, subtractFrom, multiplyBy, negate,
-  larger, smaller, chooseSmaller, positive, negative, root, fifthPower, fill,
+  add,
+  subtract,
+  multiply,
+  divide,
+  addTo,
+  subtractFrom,
+  multiplyBy,
+  negate,
+  larger,
+  smaller,
+  chooseSmaller,
+  positive,
+  negative,
+  root,
+  fifthPower,
+  fill,
   sum,    ///< out[0]
   below,  ///< out[0]: the bits of the lanes of a that are smaller than b[0]
   count

@@ -56,18 +56,27 @@ template <class T>
 T expected(PackOperation operation, T a, T b) {
   switch (operation) {
     case PackOperation::add:
-    case PackOperation::addTo: return a + b;
+    case PackOperation::addTo:
+      return a + b;
     case PackOperation::subtract:
-    case PackOperation::subtractFrom: return a - b;
+    case PackOperation::subtractFrom:
+      return a - b;
     case PackOperation::multiply:
-    case PackOperation::multiplyBy: return a * b;
-    case PackOperation::negate: return -a;
-    case PackOperation::larger: return std::max(a, b);
+    case PackOperation::multiplyBy:
+      return a * b;
+    case PackOperation::negate:
+      return -a;
+    case PackOperation::larger:
+      return std::max(a, b);
     case PackOperation::smaller:
-    case PackOperation::chooseSmaller: return std::min(a, b);
-    case PackOperation::positive: return std::max(a, T(0));
-    case PackOperation::negative: return std::min(a, T(0));
-    default: return std::numeric_limits<T>::quiet_NaN();
+    case PackOperation::chooseSmaller:
+      return std::min(a, b);
+    case PackOperation::positive:
+      return std::max(a, T(0));
+    case PackOperation::negative:
+      return std::min(a, T(0));
+    default:
+      return std::numeric_limits<T>::quiet_NaN();
   }
 }
 
@@ -110,8 +119,8 @@ TYPED_TEST(PackTest, DividesAndTakesRootsAccurately) {
       apply(PackOperation::root, positive.data(), bs[k].data(), root.data());
       for (std::size_t lane = 0; lane < static_cast<std::size_t>(n); ++lane) {
         const long double a = as[k][lane], b = bs[k][lane], s = std::sqrt(std::abs(a));
-        worstQuotient =
-            std::max(worstQuotient, static_cast<double>(std::abs((quotient[lane] - a / b) / (a / b))));
+        worstQuotient = std::max(worstQuotient,
+                                 static_cast<double>(std::abs((quotient[lane] - a / b) / (a / b))));
         worstRoot = std::max(worstRoot, static_cast<double>(std::abs((root[lane] - s) / s)));
       }
     }

@@ -184,8 +184,8 @@ TYPED_TEST(PairLoopTest, CoincidentParticlesGiveFiniteSumsAndNoGradient) {
       });
 }
 
-/// A set in metres and the same in other units of length, mass and time: with the units of the engine
-/// near the scene's own, the sums are those of metres.
+/// A set in metres and the same in other units of length, mass and time: with the units of the
+/// engine near the scene's own, the sums are those of metres.
 template <int Dim>
 void expectRightInUnitsOf(double length, double mass, double time) {
   const Pass<kernel::Convex, MassDensity, MomentumFlux> inMetres{{}, 0.15, {}};
@@ -238,15 +238,9 @@ TEST(PairLoop, SumsHaveTheSameBitsForAnyNumberOfThreads) {
         auto particles = test::randomParticles<2>(box, 20000, 5000);
         Engine<2> engine(box, {0.02, 0.2, receivers == Group::all, precision});
         engine.update(particles);
-        EXPECT_GT(engine.tiles().chunks().size(), 10u);
+        EXPECT_GT(engine.tiles().chunks().size(), 5u);
         engine.run(passOf<2>(Pass<kernel::WendlandC4, Probe>{{}, 0.01, {}}, receivers), particles);
-        std::vector<double> sums;
-        for (std::size_t i = 0; i < (receivers == Group::all ? 25000u : 20000u); ++i) {
-          sums.push_back(engine.sums(field::densityRate)[i]);
-          sums.push_back(engine.sums(field::velocityChange)[i][0]);
-          sums.push_back(engine.sums(field::velocityChange)[i][1]);
-        }
-        return sums;
+        return std::pair(engine.sums(field::densityRate), engine.sums(field::velocityChange));
       });
       EXPECT_EQ(results[0], results[1]);
       EXPECT_EQ(results[0], results[2]);

@@ -154,9 +154,9 @@ template <int Dim>
 void expectComplete(const Box<Dim>& domain, std::size_t nFluid, std::size_t nWalls, double radius) {
   const Sample<Dim> sample = sampleOf<Dim>(domain, nFluid, nWalls);
   for (const bool wallsReceive : {false, true}) {
-    SCOPED_TRACE(testing::Message() << nFluid << " fluid, " << nWalls << " wall particles, radius "
-                                    << radius << ", periodic " << domain.anyPeriodic()
-                                    << ", walls receive " << wallsReceive);
+    SCOPED_TRACE(testing::Message()
+                 << nFluid << " fluid, " << nWalls << " wall particles, radius " << radius
+                 << ", periodic " << domain.anyPeriodic() << ", walls receive " << wallsReceive);
     TileList<Dim> list;
     list.build(sample.positions, sample.clusters, domain, radius, 1, wallsReceive);
     expectOnce(giftsOf(list, sample, wallsReceive, false),
