@@ -88,10 +88,13 @@ void Engine<Dim>::sort(ParticleSet<Dim>& particles) {
   arena_.begin(3 * n * sizeof(std::uint32_t) + n * ParticleSet<Dim>::permuteBytes);
   const auto order = arena_.take<std::uint32_t>(n);
   const auto sorted = arena_.take<std::uint32_t>(n), cells = arena_.take<std::uint32_t>(n);
+  clusters_.clear();
   spatialOrder_.sort(positions.first(nFluid), order.first(nFluid), sorted.first(nFluid),
                      cells.first(nFluid));
+  clusters_.append(spatialOrder_.cellEnds(), true);
   spatialOrder_.sort(positions.subspan(nFluid), order.last(nWalls), sorted.last(nWalls),
                      cells.last(nWalls));
+  clusters_.append(spatialOrder_.cellEnds(), false);
   for (std::uint32_t& k : order.last(nWalls)) k += static_cast<std::uint32_t>(nFluid);
   particles.permute(order, arena_.take<std::byte>(n * ParticleSet<Dim>::permuteBytes));
 }
@@ -100,7 +103,6 @@ template <int Dim>
 void Engine<Dim>::search(const ParticleSet<Dim>& particles) {
   const auto searching = watch_.lap(Part::search);
   const auto positions = particles[field::position];
-  clusters_.count(particles.size(), particles.nFluid());
   arena_.begin(clusters_.nClusters * sizeof(ClusterBox<Dim>));
   clusters_.place(positions, domain_, arena_.take<ClusterBox<Dim>>(clusters_.nClusters));
   list_.build(positions, clusters_, domain_, options_.support + skin_, options_.units.length,
@@ -213,18 +215,11 @@ template <int Dim>
 template <class Body>
 void Engine<Dim>::forEachRun(Body&& body) const {
   constexpr std::size_t size = 256;
-  const std::size_t nFluidRuns = (clusters_.nFluidClusters + size - 1) / size;
-  const std::size_t nWallRuns = (clusters_.nClusters - clusters_.nFluidClusters + size - 1) / size;
+  const std::size_t nRuns = (clusters_.nClusters + size - 1) / size;
 #pragma omp parallel for schedule(static)
-  for (std::size_t r = 0; r < nFluidRuns + nWallRuns; ++r) {
-    const bool isFluid = r < nFluidRuns;
-    const std::size_t first =
-        isFluid ? r * size : clusters_.nFluidClusters + (r - nFluidRuns) * size;
-    const std::size_t last =
-        std::min(first + size, isFluid ? clusters_.nFluidClusters : clusters_.nClusters);
-    const std::size_t begin = clusters_.firstOf(first);
-    body(ClusterRun{first, last - first, begin, clusters_.endOf(last - 1) - begin});
-  }
+  for (std::size_t r = 0; r < nRuns; ++r)
+    body(ClusterRun{r * size, std::min((r + 1) * size, clusters_.nClusters),
+                    clusters_.first.data()});
 }
 
 template <int Dim>
@@ -242,7 +237,7 @@ void Engine<Dim>::loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& par
   const auto load = withInstructionSet(
       instructionSet(), [](auto isa) { return &plenum::loadPositions<decltype(isa), T, Dim>; });
   forEachRun([&](const ClusterRun& run) {
-    load(source, run, numbers.positions.data() + run.firstCluster * Dim * clusterSize);
+    load(source, run, numbers.positions.data() + run.begin * Dim * clusterSize);
   });
 }
 
@@ -256,15 +251,15 @@ void Engine<Dim>::loadFields(Numbers<T>& numbers, FieldSet reads,
     return std::pair(&loadField<decltype(isa), T, 1>, &loadField<decltype(isa), T, Dim>);
   });
   forEachRun([&, loadScalar = loadScalar, loadVector = loadVector](const ClusterRun& run) {
-    T* to = numbers.fields.data() + run.firstCluster * stride;
+    T* to = numbers.fields.data() + run.begin * stride;
     particles.forEachField([&](const FieldInfo& info, auto values) {
       if (!reads.has(info.id)) return;
       const double scale = 1 / options_.units.of(info.id, Dim);
       using Value = typename decltype(values)::value_type;
       if constexpr (std::is_same_v<Value, double>)
-        loadScalar(values.data() + run.firstParticle, scale, run, stride, to);
+        loadScalar(values.data(), scale, run, stride, to);
       else if constexpr (std::is_same_v<Value, Vec<Dim>>)
-        loadVector(&values[run.firstParticle].components[0], scale, run, stride, to);
+        loadVector(&values.data()->components[0], scale, run, stride, to);
       to += static_cast<std::size_t>(componentsOf<Dim>(info.id)) * clusterSize;
     });
   });

@@ -21,35 +21,44 @@ enum class Precision {
   doubled  ///< double
 };
 
-/// The sums of a field in the last pass: `sums[i]` for particle i, as double or Vec<Dim>. `T` is
-/// what they were computed in.
+/// The sums of a field in the last pass, cluster by cluster. `T` is what they were computed in.
 template <Rank R, int Dim, class T>
 class SumView {
  public:
+  using Value = ValueOf<R, Dim>;
+
   SumView(const Clusters<Dim>& clusters, const T* sums, double unit, int nOut, int first)
-      : nFluid_(clusters.nFluid),
-        toWalls_(clusters.nFluidClusters * clusterSize - clusters.nFluid),
+      : clusters_(&clusters),
         sums_(sums + static_cast<std::size_t>(first) * clusterSize),
-        nOut_(static_cast<std::size_t>(nOut)),
+        block_(static_cast<std::size_t>(nOut) * clusterSize),
         unit_(unit) {}
 
-  ValueOf<R, Dim> operator[](std::size_t i) const {
-    const std::size_t slot = i < nFluid_ ? i : i + toWalls_;
-    const T* value = sums_ + slot / clusterSize * (nOut_ * clusterSize) + slot % clusterSize;
-    if constexpr (R == Rank::vector) {
-      Vec<Dim> v;
-      for (int a = 0; a < Dim; ++a)
-        v[a] = unit_ * static_cast<double>(value[static_cast<std::size_t>(a) * clusterSize]);
-      return v;
-    } else {
-      return unit_ * static_cast<double>(*value);
+  /// Clusters of the fluids, or of all particles.
+  std::size_t nClusters(bool wallsToo) const {
+    return wallsToo ? clusters_->nClusters : clusters_->nFluidClusters;
+  }
+
+  /// Calls body(i, sum) for each particle of a cluster; the sum is a double or Vec<Dim>, in SI.
+  template <class Body>
+  void forEach(std::size_t cluster, Body&& body) const {
+    const std::size_t first = clusters_->firstOf(cluster), end = clusters_->endOf(cluster);
+    const T* value = sums_ + cluster * block_;
+    for (std::size_t i = first; i < end; ++i, ++value) {
+      if constexpr (R == Rank::vector) {
+        Vec<Dim> v;
+        for (int a = 0; a < Dim; ++a)
+          v[a] = unit_ * static_cast<double>(value[static_cast<std::size_t>(a) * clusterSize]);
+        body(i, v);
+      } else {
+        body(i, unit_ * static_cast<double>(*value));
+      }
     }
   }
 
  private:
-  std::size_t nFluid_, toWalls_;
+  const Clusters<Dim>* clusters_;
   const T* sums_;
-  std::size_t nOut_;
+  std::size_t block_;
   double unit_;
 };
 
@@ -101,7 +110,8 @@ class Engine {
     std::vector<ValueOf<R, Dim>> copy(options_.wallsReceive ? clusters_.nParticles
                                                             : clusters_.nFluid);
     withSums(field, [&](const auto& view) {
-      for (std::size_t i = 0; i < copy.size(); ++i) copy[i] = view[i];
+      for (std::size_t c = 0; c < view.nClusters(options_.wallsReceive); ++c)
+        view.forEach(c, [&](std::size_t i, const auto& sum) { copy[i] = sum; });
     });
     return copy;
   }

@@ -30,10 +30,10 @@ template <class Isa>
 
 template <class Isa, class T, int Dim>
 void loadPositions(const PositionSource<Dim>& source, const ClusterRun& run, T* to) {
-  for (std::size_t c = 0; c < run.nClusters; ++c, to += Dim * n) {
-    const std::size_t left = run.nParticles - c * n, count = left < n ? left : n;
-    const Vec<Dim>* from = source.positions + run.firstParticle + c * n;
-    const double* origin = &source.origins[run.firstCluster + c].components[0];
+  for (std::size_t c = run.begin; c < run.end; ++c, to += Dim * n) {
+    const std::size_t count = run.first[c + 1] - run.first[c];
+    const Vec<Dim>* from = source.positions + run.first[c];
+    const double* origin = &source.origins[c].components[0];
     double x[n * Dim];
     for (std::size_t k = 0; k < count; ++k)
       for (std::size_t a = 0; a < Dim; ++a) x[k * Dim + a] = from[k].components[a] - origin[a];
@@ -52,16 +52,19 @@ template <class Isa, class T, int components>
 void loadField(const double* values, double scale, const ClusterRun& run, std::size_t stride,
                T* to) {
   constexpr std::size_t nC = components;
-  const std::size_t nWhole = run.nParticles / n;
-  for (std::size_t c = 0; c < nWhole; ++c)
-    transpose<Isa, nC>(values + c * n * nC, scale, to + c * stride);
-  if (nWhole == run.nClusters) return;
-  double last[n * nC];
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t i = nWhole * n + k < run.nParticles ? nWhole * n + k : run.nParticles - 1;
-    for (std::size_t a = 0; a < nC; ++a) last[k * nC + a] = values[i * nC + a];
+  for (std::size_t c = run.begin; c < run.end; ++c, to += stride) {
+    const double* from = values + run.first[c] * nC;
+    const std::size_t count = run.first[c + 1] - run.first[c];
+    if (count == n) {
+      transpose<Isa, nC>(from, scale, to);
+      continue;
+    }
+    double padded[n * nC];
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t a = 0; a < nC; ++a)
+        padded[k * nC + a] = from[(k < count ? k : count - 1) * nC + a];
+    transpose<Isa, nC>(padded, scale, to);
   }
-  transpose<Isa, nC>(last, scale, to + nWhole * stride);
 }
 
 using Isa = isa::PLENUM_ISA;

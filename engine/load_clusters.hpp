@@ -7,12 +7,14 @@
 #include "engine/spatial_order.hpp"
 #include "particles/vec.hpp"
 
+#include <cstdint>
+
 namespace plenum {
 
-/// A run of clusters, all of fluid or all of walls, whose particles are consecutive.
+/// Consecutive clusters.
 struct ClusterRun {
-  std::size_t firstCluster, nClusters;
-  std::size_t firstParticle, nParticles;  ///< the last cluster may have fewer than eight
+  std::size_t begin, end;
+  const std::uint32_t* first;  ///< particle of every cluster, and the end of the last one
 };
 
 /// Positions of a run relative to the origins of the clusters [cluster][axis][particle], times

@@ -32,6 +32,9 @@ class SpatialOrder {
   void sort(std::span<const Vec<Dim>> points, std::span<std::uint32_t> order,
             std::span<std::uint32_t> sorted, std::span<std::uint32_t> cell);
 
+  /// Ends of the cells, in places of the order: where it is better to begin a new eight.
+  std::span<const std::size_t> cellEnds() const { return cellEnds_; }
+
  private:
   struct Packer;
 

@@ -14,12 +14,25 @@
 namespace plenum {
 
 template <int Dim>
-void Clusters<Dim>::count(std::size_t nAll, std::size_t nFluids) {
-  const auto wholeClusters = [](std::size_t n) { return (n + clusterSize - 1) / clusterSize; };
-  nParticles = nAll;
-  nFluid = nFluids;
-  nFluidClusters = wholeClusters(nFluid);
-  nClusters = nFluidClusters + wholeClusters(nParticles - nFluid);
+void Clusters<Dim>::clear() {
+  nParticles = nFluid = nFluidClusters = nClusters = 0;
+  first.assign(1, 0);
+}
+
+template <int Dim>
+void Clusters<Dim>::append(std::span<const std::size_t> cellEnds, bool areFluid) {
+  const std::size_t before = nParticles;
+  first.pop_back();
+  std::size_t begin = 0;
+  for (const std::size_t end : cellEnds)
+    for (; begin < end; begin = std::min(end, begin + clusterSize))
+      first.push_back(static_cast<std::uint32_t>(before + begin));
+  nParticles = before + begin;
+  nClusters = first.size();
+  first.push_back(static_cast<std::uint32_t>(nParticles));
+  if (!areFluid) return;
+  nFluid = nParticles;
+  nFluidClusters = nClusters;
 }
 
 template <int Dim>
@@ -28,10 +41,10 @@ void Clusters<Dim>::place(std::span<const Vec<Dim>> positions, const Box<Dim>& d
   origin.resize(nClusters);
   boxes = roomForBoxes;
   forEachIndex(nClusters, [&](std::size_t c) {
-    const std::size_t first = firstOf(c), n = endOf(c) - first;
+    const std::size_t begin = firstOf(c), n = endOf(c) - begin;
     for (int a = 0; a < Dim; ++a) {
       std::array<double, clusterSize> x{};
-      for (std::size_t k = 0; k < n; ++k) x[k] = positions[first + k][a];
+      for (std::size_t k = 0; k < n; ++k) x[k] = positions[begin + k][a];
       for (std::size_t k = 1; k < n; ++k)  // by insertion: eight are few
         for (std::size_t q = k; q > 0 && x[q] < x[q - 1]; --q) std::swap(x[q], x[q - 1]);
       origin[c][a] = domain.isPeriodic(a) ? 0.5 * (x[0] + x[n - 1]) : x[n / 2];

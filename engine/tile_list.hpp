@@ -19,12 +19,13 @@ struct ClusterBox {
   Vec<Dim, float> lower, upper;
 };
 
-/// Where the clusters are: those of fluids first, then those of walls, each group padded to whole
-/// clusters.
+/// Runs of at most eight particles that lie near each other: those of fluids first, then those of
+/// walls.
 template <int Dim>
 struct Clusters {
   std::size_t nParticles = 0, nFluid = 0;
   std::size_t nFluidClusters = 0, nClusters = 0;
+  std::vector<std::uint32_t> first{0};  ///< particle of each cluster; length nClusters + 1
   /// What positions are relative to [m], length nClusters: along open axes the median of the
   /// coordinates, so that one particle far away does not take the digits of the others; along
   /// periodic axes the middle, which is never further than half a period from a particle.
@@ -33,26 +34,20 @@ struct Clusters {
   /// nClusters; there only for the search.
   std::span<ClusterBox<Dim>> boxes;
 
-  std::size_t firstOf(std::size_t cluster) const {
-    return cluster < nFluidClusters ? cluster * clusterSize
-                                    : nFluid + (cluster - nFluidClusters) * clusterSize;
-  }
-  std::size_t endOf(std::size_t cluster) const {
-    const std::size_t end = cluster < nFluidClusters ? nFluid : nParticles;
-    return std::min(end, firstOf(cluster) + clusterSize);
-  }
-  /// Place of a particle when every cluster has eight.
-  std::size_t slotOf(std::size_t particle) const {
-    return particle < nFluid ? particle : nFluidClusters * clusterSize + (particle - nFluid);
-  }
+  std::size_t firstOf(std::size_t cluster) const { return first[cluster]; }
+  std::size_t endOf(std::size_t cluster) const { return first[cluster + 1]; }
 
-  /// Counts; then nClusters is known.
-  void count(std::size_t nParticles, std::size_t nFluid);
+  void clear();
+  /// Cuts cells of particles that follow those there are into clusters: no cluster has particles of
+  /// two cells. cellEnds: as SpatialOrder::cellEnds().
+  void append(std::span<const std::size_t> cellEnds, bool areFluid);
   /// Sets origins and boxes.
   void place(std::span<const Vec<Dim>> positions, const Box<Dim>& domain,
              std::span<ClusterBox<Dim>> roomForBoxes);
 
-  std::size_t bytes() const { return origin.capacity() * sizeof(Vec<Dim>); }
+  std::size_t bytes() const {
+    return origin.capacity() * sizeof(Vec<Dim>) + first.capacity() * sizeof(first[0]);
+  }
 };
 
 /// A cluster as a chunk sees it.

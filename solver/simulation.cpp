@@ -113,26 +113,23 @@ void Simulation<Dim>::step(double dt) {
   engine_.moved(wallMotion_.moveTo(time(), scene_.particles));
 }
 
-/// Fluids, and walls too where they follow the fluid's equations.
-template <int Dim>
-std::size_t Simulation<Dim>::nDensityReceivers() const {
-  return settings_.wallsEvolve() ? scene_.particles.size() : scene_.particles.nFluid();
-}
-
 template <int Dim>
 void Simulation<Dim>::updateDensity(double dt) {
   engine_.run(passes_.density, scene_.particles);
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const auto density = scene_.particles[field::density];
+  const bool wallsToo = settings_.wallsEvolve();
   if (passes_.density.writes.has(field::density))
     engine_.withSums(field::density, [&](const auto& sums) {
-      forEachIndex(nDensityReceivers(), [&](std::size_t i) { density[i] = sums[i]; });
+      forEachIndex(sums.nClusters(wallsToo), [&](std::size_t c) {
+        sums.forEach(c, [&](std::size_t i, double sum) { density[i] = sum; });
+      });
     });
   else
-    engine_.withSums(field::densityRate, [&](const auto& rate) {
+    engine_.withSums(field::densityRate, [&](const auto& rates) {
       addSoundly(
-          density.first(nDensityReceivers()), "the density is no longer positive and finite",
-          [&](std::size_t i) { return dt * rate[i]; },
+          density, rates, wallsToo, "the density is no longer positive and finite",
+          [&](double rate) { return dt * rate; },
           [](double next) { return next > 0 && std::isfinite(next); });
     });
 }
@@ -155,25 +152,28 @@ void Simulation<Dim>::updatePressure() {
   }
 }
 
-/// values[i] += change(i) for all. If some result is not sound, takes all back (to rounding) and
-/// throws RunError that names the first one.
+/// values[i] += change(sum of i) for all fluids, or for walls too. If some result is not sound,
+/// takes all back (to rounding) and throws RunError that names the first one.
 template <int Dim>
-template <class Value, class Change, class IsSound>
-void Simulation<Dim>::addSoundly(std::span<Value> values, const char* what, Change&& change,
-                                 IsSound&& isSound) {
-  const std::size_t n = values.size();
-  std::size_t bad = n;
-#pragma omp parallel for schedule(static) reduction(min : bad) if (n >= worthThreads)
-  for (std::size_t i = 0; i < n; ++i) {
-    const Value next = values[i] + change(i);
-    if (isSound(next))
-      values[i] = next;
-    else
-      bad = std::min(bad, i);
-  }
-  if (bad == n) return;
-  for (std::size_t i = 0; i < n; ++i)
-    if (isSound(values[i] + change(i))) values[i] = values[i] - change(i);
+template <class Value, class Sums, class Change, class IsSound>
+void Simulation<Dim>::addSoundly(std::span<Value> values, const Sums& sums, bool wallsToo,
+                                 const char* what, Change&& change, IsSound&& isSound) {
+  const std::size_t nClusters = sums.nClusters(wallsToo), none = values.size();
+  std::size_t bad = none;
+#pragma omp parallel for schedule(static) reduction(min : bad) if (none >= worthThreads)
+  for (std::size_t c = 0; c < nClusters; ++c)
+    sums.forEach(c, [&](std::size_t i, const auto& sum) {
+      const Value next = values[i] + change(sum);
+      if (isSound(next))
+        values[i] = next;
+      else
+        bad = std::min(bad, i);
+    });
+  if (bad == none) return;
+  for (std::size_t c = 0; c < nClusters; ++c)
+    sums.forEach(c, [&](std::size_t i, const auto& sum) {
+      if (isSound(values[i] + change(sum))) values[i] = values[i] - change(sum);
+    });
   fail(what, bad);
 }
 
@@ -190,13 +190,21 @@ void Simulation<Dim>::fail(const char* what, std::size_t i) const {
 template <int Dim>
 void Simulation<Dim>::kick(double dt) {
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  const auto velocity = scene_.particles[field::velocity].first(scene_.particles.nFluid());
-  engine_.withSums(field::acceleration, [&](const auto& acceleration) {
+  const auto velocity = scene_.particles[field::velocity];
+  engine_.withSums(field::acceleration, [&](const auto& accelerations) {
     addSoundly(
-        velocity, "the force is not finite",
-        [&](std::size_t i) { return dt * (acceleration[i] + gravity_); }, isFiniteVector);
-    largestAcceleration_ =
-        largestNorm(velocity.size(), [&](std::size_t i) { return acceleration[i] + gravity_; });
+        velocity, accelerations, false, "the force is not finite",
+        [&](const Vec<Dim>& a) { return dt * (a + gravity_); }, isFiniteVector);
+    double largest = 0;
+    const std::size_t nClusters = accelerations.nClusters(false);
+#pragma omp parallel for schedule(static) \
+    reduction(max                         \
+              : largest) if (velocity.size() >= worthThreads)
+    for (std::size_t c = 0; c < nClusters; ++c)
+      accelerations.forEach(c, [&](std::size_t, const Vec<Dim>& a) {
+        largest = std::max(largest, normSquared(a + gravity_));
+      });
+    largestAcceleration_ = std::sqrt(largest);
   });
 }
 
@@ -205,11 +213,11 @@ void Simulation<Dim>::collide() {
   if (!passes_.collisions) return;
   engine_.run(passes_.collisions, scene_.particles);
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  engine_.withSums(field::velocityChange, [&](const auto& change) {
+  engine_.withSums(field::velocityChange, [&](const auto& changes) {
     addSoundly(
-        scene_.particles[field::velocity].first(scene_.particles.nFluid()),
+        scene_.particles[field::velocity], changes, false,
         "the change of velocity by collisions is not finite",
-        [&](std::size_t i) { return change[i]; }, isFiniteVector);
+        [](const Vec<Dim>& change) { return change; }, isFiniteVector);
   });
 }
 

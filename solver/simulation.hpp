@@ -64,11 +64,10 @@ class Simulation {
   void collide();
   void drift(double dt);
 
-  template <class Value, class Change, class IsSound>
-  void addSoundly(std::span<Value> values, const char* what, Change&& change, IsSound&& isSound);
+  template <class Value, class Sums, class Change, class IsSound>
+  void addSoundly(std::span<Value> values, const Sums& sums, bool wallsToo, const char* what,
+                  Change&& change, IsSound&& isSound);
   [[noreturn]] void fail(const char* what, std::size_t particle) const;
-
-  std::size_t nDensityReceivers() const;
 
   SolverSettings settings_;
   Scene<Dim> scene_;

@@ -53,7 +53,10 @@ struct Sample {
 
 template <int Dim>
 void placeClusters(Sample<Dim>& sample, std::size_t nFluid) {
-  sample.clusters.count(sample.positions.size(), nFluid);
+  const std::size_t ends[] = {nFluid, sample.positions.size() - nFluid};
+  sample.clusters.clear();
+  sample.clusters.append(std::span(ends).first(1), true);
+  sample.clusters.append(std::span(ends).last(1), false);
   sample.boxes.resize(sample.clusters.nClusters);
   sample.clusters.place(sample.positions, sample.domain, sample.boxes);
 }
