@@ -95,11 +95,11 @@ bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Di
   return chunk.locals.size() <= maxLocals;
 }
 
-/// Work space for twice as much, so that only the first searches allocate.
+/// Work space for three times as much, so that only the first searches allocate.
 template <int Dim>
 void TileSearch<Dim>::keepRoom() {
   const auto keep = [](auto& values) {
-    if (values.capacity() < values.size() + values.size() / 8) values.reserve(2 * values.size());
+    if (values.capacity() < values.size() + values.size() / 8) values.reserve(3 * values.size());
   };
   keep(candidates_);
   keep(points_);
