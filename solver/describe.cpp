@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/run.hpp"
 
+#include "engine/instruction_set.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -61,6 +63,9 @@ std::string describeModel(const Simulation<Dim>& simulation) {
   text +=
       fmt::format("time step        {}\n", s.timeStep ? fmt::format("{:g} s, fixed", *s.timeStep)
                                                       : fmt::format("cfl {:g}", s.cfl));
+  text += fmt::format("pairs            {}, with {} instructions\n",
+                      s.precision == "mixed" ? "in float, state in double" : "in double",
+                      nameOf(instructionSet()));
   text += leftOut(simulation);
   std::vector<std::string> names;
   particles.forEachField([&](const FieldInfo& info, auto) { names.emplace_back(info.name); });
