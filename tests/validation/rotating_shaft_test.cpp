@@ -39,9 +39,9 @@ TEST_P(RotatingShaft, TheQuadraticWendlandKernelClustersAndLeaks) {
   EXPECT_GE(valueOf(row, "void1"), 0.05);  // .169
 }
 
-/// The run is chaotic: with steps that differ by two in a thousand, in each precision, half of the
-/// runs end with no particle beyond the walls and half with one of 1212 there
-/// (docs/validation.md). The mean over some runs says what a single one cannot.
+/// The run is chaotic: with steps that differ by some parts in a thousand, most runs end with no
+/// particle beyond the walls and some with one of 1212 (docs/validation.md). The mean over a few
+/// runs says what a single one cannot.
 TEST_P(RotatingShaft, TheConvexKernelKeepsAllParticlesAndLeavesNoHoles) {
   double left = 0;
   constexpr int nRuns = 4;
