@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a whole step costs, search and sorting included, and the share of its parts:
+//   plenum-bench [PARTICLES [THREADS]]
 #include "bench/scenes.hpp"
 #include "solver/simulation.hpp"
 
-#include <benchmark/benchmark.h>
 #include <omp.h>
 
 #include <cstdio>
@@ -49,10 +51,9 @@ void run(bool dam, std::size_t n, const char* precision, int threads, int steps)
 int main(int argc, char** argv) {
   using namespace plenum::bench;
   const std::size_t n = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100000;
-  const int t = argc > 2 ? atoi(argv[2]) : 1;
+  const int t = argc > 2 ? static_cast<int>(std::strtol(argv[2], nullptr, 10)) : 1;
   for (const char* p : {"mixed", "double"})
     for (bool dam : {true, false}) {
-      if (getenv("ONLY3")) { if (!dam && p[0] == 109) run<3>(dam, n, p, t, 40); continue; }
       run<2>(dam, n, p, t, 30);
       run<3>(dam, n, p, t, 15);
     }
