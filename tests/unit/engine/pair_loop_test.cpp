@@ -8,6 +8,7 @@
 #include "tests/support/dimensions.hpp"
 #include "tests/support/pair_sums.hpp"
 #include "tests/support/random_particles.hpp"
+#include "tests/support/threads.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -218,23 +219,11 @@ TYPED_TEST(PairLoopTest, IsRightForGalaxies) {
   expectRightInUnitsOf<TypeParam::value>(1e19, 1e33, 1e14);
 }
 
-/// Runs `test` with 1, 2 and 3 threads and returns what it gave.
-template <class Test>
-auto forThreads(Test&& test) {
-  std::vector<decltype(test())> results;
-  for (const int nThreads : {1, 2, 3}) {
-    omp_set_num_threads(nThreads);
-    results.push_back(test());
-  }
-  omp_set_num_threads(omp_get_num_procs());
-  return results;
-}
-
 TEST(PairLoop, SumsHaveTheSameBitsForAnyNumberOfThreads) {
   const Box<2> box = test::unitBox<2>(true);
   for (const Precision precision : test::bothPrecisions)
     for (const Group receivers : {Group::fluids, Group::all}) {
-      const auto results = forThreads([&] {
+      const auto results = test::forThreads([&] {
         auto particles = test::randomParticles<2>(box, 20000, 5000);
         Engine<2> engine(box, {0.02, 0.2, receivers == Group::all, precision});
         engine.update(particles);

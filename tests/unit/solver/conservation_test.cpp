@@ -6,6 +6,7 @@
 #include "tests/support/dimensions.hpp"
 #include "tests/support/jittered_scene.hpp"
 #include "tests/support/permute.hpp"
+#include "tests/support/threads.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -122,23 +123,11 @@ TYPED_TEST(ConservationTest, EnergyOfAnInviscidGasDeviatesWithTheTimeStepOnly) {
   }
 }
 
-/// Runs `test` with 1, 2 and 3 threads and returns what it gave.
-template <class Test>
-auto forThreads(Test&& test) {
-  std::vector<decltype(test())> results;
-  for (const int nThreads : {1, 2, 3}) {
-    omp_set_num_threads(nThreads);
-    results.push_back(test());
-  }
-  omp_set_num_threads(omp_get_num_procs());
-  return results;
-}
-
 TYPED_TEST(ConservationTest, StatesHaveTheSameBitsForAnyNumberOfThreads) {
   constexpr int Dim = TypeParam::value;
   for (const char* precision : bothPrecisions) {
     SCOPED_TRACE(precision);
-    const auto states = forThreads([&] {
+    const auto states = test::forThreads([&] {
       Simulation<Dim> simulation(test::jitteredScene<Dim>(perAxis(Dim), true),
                                  settingsWith(precision, "summation", true, true));
       for (int k = 0; k < 30; ++k) simulation.step(simulation.maxTimeStep());
@@ -159,7 +148,7 @@ TEST(Threads, ManyParticlesAndAllMeasuresHaveTheSameBits) {
   // Enough for every parallel loop to be parallel: more than worthThreads and several blocks.
   for (const char* precision : bothPrecisions) {
     SCOPED_TRACE(precision);
-    const auto rows = forThreads([&] {
+    const auto rows = test::forThreads([&] {
       Simulation<2> simulation(test::jitteredScene<2>(150, true, 0.2, 1.0),
                                settingsWith(precision, "continuity", true, true));
       for (int k = 0; k < 8; ++k) simulation.step(simulation.maxTimeStep());
