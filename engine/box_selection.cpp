@@ -19,9 +19,8 @@ template <class Real>
 
 template <class Isa, int Dim>
 std::size_t selectBoxes(const BoxRows<Dim>& boxes, std::size_t first, std::size_t last,
-                        const FloatBox<Dim>& box, float radius, std::uint32_t* near) {
+                        const FloatBox<Dim>& box, std::uint32_t* near) {
   using Real = Pack<float, std::min<int>(Isa::bytes / sizeof(float), clusterSize), Isa>;
-  const float limit = radius * radius;
   std::uint32_t* next = near;
   for (std::size_t k = first; k < last; k += Real::size) {
     Real distanceSquared(0);
@@ -31,7 +30,8 @@ std::size_t selectBoxes(const BoxRows<Dim>& boxes, std::size_t first, std::size_
                        (Real::load(boxes.half[a] + k) + Real(box.half[a])));
       distanceSquared += gap * gap;
     }
-    unsigned bits = lanesBelow(distanceSquared, limit);
+    const Real reach = max(Real::load(boxes.reach + k), Real(box.reach));
+    unsigned bits = lanesBelow(distanceSquared - reach * reach, 0.0f);
     if (last - k < Real::size) bits &= (1u << (last - k)) - 1;
     for (; bits != 0; bits &= bits - 1)
       *next++ = static_cast<std::uint32_t>(k) + static_cast<std::uint32_t>(__builtin_ctz(bits));
@@ -40,15 +40,15 @@ std::size_t selectBoxes(const BoxRows<Dim>& boxes, std::size_t first, std::size_
 }
 
 template <class Isa, int Dim>
-std::size_t selectClusters(const float* points, const std::uint32_t* who,
+std::size_t selectClusters(const float* points, const float* reach, const std::uint32_t* who,
                            const std::uint32_t* place, std::size_t n, const FloatBox<Dim>& box,
-                           float radius, std::uint32_t* near) {
+                           std::uint32_t* near) {
   using Real = Pack<float, std::min<int>(Isa::bytes / sizeof(float), clusterSize), Isa>;
-  const float limit = radius * radius;
   std::size_t nNear = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const std::uint32_t cluster = who[place[k]];
     const float* x = points + std::size_t{cluster} * clusterSize * Dim;
+    const float larger = reach[cluster] > box.reach ? reach[cluster] : box.reach;
     unsigned bits = 0;
     for (std::size_t part = 0; part < clusterSize; part += Real::size) {
       Real distanceSquared(0);
@@ -59,7 +59,7 @@ std::size_t selectClusters(const float* points, const std::uint32_t* who,
             Real(box.half[a]));
         distanceSquared += gap * gap;
       }
-      bits |= lanesBelow(distanceSquared, limit);
+      bits |= lanesBelow(distanceSquared, larger * larger);
     }
     near[nNear] = cluster;
     nNear += bits != 0;
@@ -68,19 +68,14 @@ std::size_t selectClusters(const float* points, const std::uint32_t* who,
 }
 
 using Isa = isa::PLENUM_ISA;
+using Size = std::size_t;
 using Place = std::uint32_t;
-using Places = const Place*;
-template std::size_t selectBoxes<Isa>(const BoxRows<1>&, std::size_t, std::size_t,
-                                      const FloatBox<1>&, float, Place*);
-template std::size_t selectBoxes<Isa>(const BoxRows<2>&, std::size_t, std::size_t,
-                                      const FloatBox<2>&, float, Place*);
-template std::size_t selectBoxes<Isa>(const BoxRows<3>&, std::size_t, std::size_t,
-                                      const FloatBox<3>&, float, Place*);
-template std::size_t selectClusters<Isa>(const float*, Places, Places, std::size_t,
-                                         const FloatBox<1>&, float, Place*);
-template std::size_t selectClusters<Isa>(const float*, Places, Places, std::size_t,
-                                         const FloatBox<2>&, float, Place*);
-template std::size_t selectClusters<Isa>(const float*, Places, Places, std::size_t,
-                                         const FloatBox<3>&, float, Place*);
+#define PLENUM_SELECT(Dim)                                                                        \
+  template Size selectBoxes<Isa>(const BoxRows<Dim>&, Size, Size, const FloatBox<Dim>&, Place*);  \
+  template Size selectClusters<Isa>(const float*, const float*, const Place*, const Place*, Size, \
+                                    const FloatBox<Dim>&, Place*);
+PLENUM_SELECT(1)
+PLENUM_SELECT(2)
+PLENUM_SELECT(3)
 
 }  // namespace plenum

@@ -14,6 +14,7 @@ namespace plenum {
 template <int Dim>
 struct FloatBox {
   Vec<Dim, float> center, half;
+  float reach;  ///< at which distance its particles see others
 };
 
 /// Boxes as arrays, padded to whole packs with boxes that are far from everything.
@@ -21,23 +22,24 @@ template <int Dim>
 struct BoxRows {
   const float* center[Dim];
   const float* half[Dim];
+  const float* reach;
 };
 
 /// How many boxes a padded array has room for at its end.
 inline constexpr std::size_t boxPadding = 16;
 
-/// Writes the places in [first, last) of the boxes closer than `radius` to a box to `near`, in
-/// order; returns their number. `near` has room for last - first + boxPadding.
+/// Writes the places in [first, last) of the boxes closer to a box than the larger reach of the two
+/// to `near`, in order; returns their number. `near` has room for last - first + boxPadding.
 template <class Isa, int Dim>
 std::size_t selectBoxes(const BoxRows<Dim>& boxes, std::size_t first, std::size_t last,
-                        const FloatBox<Dim>& box, float radius, std::uint32_t* near);
+                        const FloatBox<Dim>& box, std::uint32_t* near);
 
-/// Of the clusters who[place[k]], k < n, those that have a particle closer than `radius` to a box:
-/// writes them to `near` in order and returns their number. `points` are positions as
-/// [cluster][axis][particle]. `near` may be `place`.
+/// Of the clusters who[place[k]], k < n, those that have a particle closer to a box than the larger
+/// of reach[cluster] and the box's: writes them to `near` in order and returns their number.
+/// `points` are positions as [cluster][axis][particle]. `near` may be `place`.
 template <class Isa, int Dim>
-std::size_t selectClusters(const float* points, const std::uint32_t* who,
+std::size_t selectClusters(const float* points, const float* reach, const std::uint32_t* who,
                            const std::uint32_t* place, std::size_t n, const FloatBox<Dim>& box,
-                           float radius, std::uint32_t* near);
+                           std::uint32_t* near);
 
 }  // namespace plenum

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/engine.hpp"
 
+#include "engine/derived_fields.hpp"
 #include "engine/instruction_set.hpp"
 #include "engine/load_clusters.hpp"
 #include "particles/errors.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace plenum {
@@ -23,25 +25,40 @@ constexpr std::size_t maxParticles = std::size_t{1} << 30;
 
 template <int Dim>
 Engine<Dim>::Engine(const Box<Dim>& domain, const Options& options)
-    : domain_(domain), options_(options), periodicity_(domain) {
-  skin_ = options.skin * options.support;
+    : domain_(domain),
+      options_(options),
+      periodicity_(domain),
+      largestSupport_(options.support),
+      smallestSupport_(options.support) {
+  if (!options.adaptive) requireRoomForSupport();
+}
+
+/// Each pair must have one nearest image only.
+template <int Dim>
+void Engine<Dim>::requireRoomForSupport() const {
   for (int a = 0; a < Dim; ++a) {
-    if (!domain.isPeriodic(a)) continue;
-    const double length = domain.upper[a] - domain.lower[a];
-    // Each pair must have one nearest image only.
-    if (length < 2 * options.support)
+    if (!domain_.isPeriodic(a)) continue;
+    const double length = domain_.upper[a] - domain_.lower[a];
+    if (length < 2 * largestSupport_)
       throw InputError(
           fmt::format("periodic axis {}: length {:g} m is shorter than twice the kernel's support "
-                      "{:g} m; use a "
-                      "longer box, a smaller smoothing_length or a smaller spacing",
-                      "xyz"[a], length, options.support));
+                      "{:g} m; use a longer box, a smaller smoothing_length or a smaller spacing",
+                      "xyz"[a], length, largestSupport_));
   }
+}
+
+/// Whether some pair may be within the support now that the list does not have: it has those closer
+/// than the support, as it was then, and the skin.
+template <int Dim>
+bool Engine<Dim>::isOld() const {
+  const double skin = (1 + options_.skin - growth_) * smallestSupport_;
+  return !skinIsUsable_ || !(2 * travelled_ < skin);
 }
 
 template <int Dim>
 bool Engine<Dim>::update(ParticleSet<Dim>& particles) {
   const bool isNew = clusters_.nParticles != particles.size() || nRebuilds_ == 0;
-  const bool old = isNew || !(travelled_ < 0.5 * usableSkin_);
+  const bool old = isNew || isOld();
   if (old) {
     sort(particles);
     search(particles);
@@ -100,32 +117,64 @@ void Engine<Dim>::sort(ParticleSet<Dim>& particles) {
 }
 
 template <int Dim>
+void Engine<Dim>::setSupports(const ParticleSet<Dim>& particles) {
+  const auto lengths = particles[field::smoothingLength];
+  double largest = 0, smallest = std::numeric_limits<double>::infinity();
+  const std::size_t n = lengths.size();
+  std::size_t bad = n;
+#pragma omp parallel for schedule(static) reduction(max : largest) reduction(min : smallest, bad)
+  for (std::size_t i = 0; i < n; ++i) {
+    largest = std::max(largest, lengths[i]);
+    smallest = std::min(smallest, lengths[i]);
+    if (!(lengths[i] > 0 && std::isfinite(lengths[i]))) bad = std::min(bad, i);
+  }
+  if (bad < n)
+    throw RunError(fmt::format("particle {}: its smoothing length {} is not positive and finite",
+                               particles.has(field::id) ? particles[field::id][bad] : bad,
+                               lengths[bad]));
+  largestSupport_ = 2 * largest;
+  smallestSupport_ = 2 * smallest;
+  requireRoomForSupport();
+}
+
+template <int Dim>
 void Engine<Dim>::search(const ParticleSet<Dim>& particles) {
   const auto searching = watch_.lap(Part::search);
   const auto positions = particles[field::position];
   arena_.begin(clusters_.nClusters * sizeof(ClusterBox<Dim>));
-  clusters_.place(positions, domain_, arena_.take<ClusterBox<Dim>>(clusters_.nClusters));
-  list_.build(positions, clusters_, domain_, options_.support + skin_, options_.units.length,
-              options_.wallsReceive);
+  const auto boxes = arena_.take<ClusterBox<Dim>>(clusters_.nClusters);
+  const double withSkin = 1 + options_.skin;
+  if (options_.adaptive) {
+    setSupports(particles);
+    const auto lengths = particles[field::smoothingLength];
+    clusters_.place(
+        positions, domain_, [&](std::size_t i) { return withSkin * 2 * lengths[i]; }, boxes);
+  } else {
+    clusters_.place(
+        positions, domain_, [&](std::size_t) { return withSkin * options_.support; }, boxes);
+  }
+  list_.build(positions, clusters_, domain_, options_.units.length, options_.wallsReceive);
   travelled_ = 0;
+  growth_ = 1;
   ++nRebuilds_;
 
   // A few particles far from their cluster (a stray, the last drops of a spray) lose digits in
   // float, by 6e-8 of their distance; where that is too much, pairs are computed in double.
   precision_ = options_.precision;
-  const auto farthest = static_cast<float>(256 * options_.support);
   for (const ClusterBox<Dim>& box : clusters_.boxes)
     for (int a = 0; a < Dim; ++a)
-      if (std::max(-box.lower[a], box.upper[a]) > farthest) precision_ = Precision::doubled;
+      if (std::max(-box.lower[a], box.upper[a]) > 200 * box.smallestReach)
+        precision_ = Precision::doubled;
 
   // A position is read as the image nearest to the origin of its cluster. Where that is unsure,
   // because a cluster spans half the period, every step searches anew.
-  usableSkin_ = skin_;
+  skinIsUsable_ = true;
   for (int a = 0; a < Dim; ++a) {
     if (!domain_.isPeriodic(a)) continue;
-    const double limit = 0.5 * (domain_.upper[a] - domain_.lower[a] - skin_);
+    const double skin = options_.skin * smallestSupport_;
+    const double limit = 0.5 * (domain_.upper[a] - domain_.lower[a] - skin);
     for (const ClusterBox<Dim>& box : clusters_.boxes)
-      if (static_cast<double>(std::max(-box.lower[a], box.upper[a])) > limit) usableSkin_ = 0;
+      if (static_cast<double>(std::max(-box.lower[a], box.upper[a])) > limit) skinIsUsable_ = false;
   }
 }
 
@@ -189,6 +238,7 @@ TileWork<Dim, T> Engine<Dim>::workOf(Numbers<T>& numbers, std::size_t c) {
   work.locals = chunk.locals.data();
   work.nClusters = chunk.nClusters;
   work.positions = numbers.positions.data();
+  work.smoothingLengths = options_.adaptive ? numbers.smoothingLengths.data() : nullptr;
   work.fields = numbers.fields.data();
   work.sums = numbers.sums.data();
   return work;
@@ -232,12 +282,20 @@ void Engine<Dim>::loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& par
                                    periodicity_.period,
                                    periodicity_.half,
                                    domain_.anyPeriodic(),
-                                   1e4 * options_.support,
+                                   1e4 * largestSupport_,
                                    1 / options_.units.length};
   const auto load = withInstructionSet(
       instructionSet(), [](auto isa) { return &plenum::loadPositions<decltype(isa), T, Dim>; });
   forEachRun([&](const ClusterRun& run) {
     load(source, run, numbers.positions.data() + run.begin * Dim * clusterSize);
+  });
+  if (!options_.adaptive) return;
+  numbers.smoothingLengths.resize(clusters_.nClusters * clusterSize);
+  const auto loadScalar = withInstructionSet(
+      instructionSet(), [](auto isa) { return &loadField<decltype(isa), T, 1>; });
+  forEachRun([&](const ClusterRun& run) {
+    loadScalar(particles[field::smoothingLength].data(), 1 / options_.units.length, run,
+               clusterSize, numbers.smoothingLengths.data() + run.begin * clusterSize);
   });
 }
 
@@ -247,21 +305,35 @@ void Engine<Dim>::loadFields(Numbers<T>& numbers, FieldSet reads,
                              const ParticleSet<Dim>& particles) {
   const auto loading = watch_.lap(Part::load);
   const std::size_t stride = static_cast<std::size_t>(componentsOf<Dim>(reads)) * clusterSize;
-  const auto [loadScalar, loadVector] = withInstructionSet(instructionSet(), [](auto isa) {
-    return std::pair(&loadField<decltype(isa), T, 1>, &loadField<decltype(isa), T, Dim>);
+  struct Loaders {
+    decltype(&loadField<isa::Baseline, T, 1>) scalar, vector;
+    decltype(&loadDerived<isa::Baseline, T>) derived;
+  };
+  const Loaders load = withInstructionSet(instructionSet(), []<class Isa>(Isa) {
+    return Loaders{&loadField<Isa, T, 1>, &loadField<Isa, T, Dim>, &loadDerived<Isa, T>};
   });
-  forEachRun([&, loadScalar = loadScalar, loadVector = loadVector](const ClusterRun& run) {
-    T* to = numbers.fields.data() + run.begin * stride;
+  forEachRun([&](const ClusterRun& run) {
+    const auto placeOf = [&](FieldId id) {
+      return numbers.fields.data() + run.begin * stride +
+             static_cast<std::size_t>(offsetOf<Dim>(reads, id)) * clusterSize;
+    };
+    const auto scaleOf = [&](FieldId id) { return 1 / options_.units.of(id, Dim); };
     particles.forEachField([&](const FieldInfo& info, auto values) {
       if (!reads.has(info.id)) return;
-      const double scale = 1 / options_.units.of(info.id, Dim);
       using Value = typename decltype(values)::value_type;
       if constexpr (std::is_same_v<Value, double>)
-        loadScalar(values.data(), scale, run, stride, to);
+        load.scalar(values.data(), scaleOf(info.id), run, stride, placeOf(info.id));
       else if constexpr (std::is_same_v<Value, Vec<Dim>>)
-        loadVector(&values.data()->components[0], scale, run, stride, to);
-      to += static_cast<std::size_t>(componentsOf<Dim>(info.id)) * clusterSize;
+        load.vector(&values.data()->components[0], scaleOf(info.id), run, stride, placeOf(info.id));
     });
+    for (const DerivedField& derived : derivedTable) {
+      if (!reads.has(derived.id)) continue;
+      const double* numerator = nullptr;
+      if (derived.numerator.has(FieldId::mass)) numerator = particles[field::mass].data();
+      if (derived.numerator.has(FieldId::pressure)) numerator = particles[field::pressure].data();
+      load.derived(numerator, particles[field::density].data(), derived.power, scaleOf(derived.id),
+                   run, stride, placeOf(derived.id));
+    }
   });
 }
 
@@ -272,7 +344,8 @@ void Engine<Dim>::findNear(Numbers<T>& numbers) {
   const auto find = withInstructionSet(
       instructionSet(), [](auto isa) { return &findNearTiles<decltype(isa), T, Dim>; });
   // Numbers relative to clusters round positions by less than this.
-  const double radius = options_.support / options_.units.length * (1 + 1e-5);
+  const double radius =
+      (options_.adaptive ? 2 : options_.support / options_.units.length) * (1 + 1e-5);
   const std::size_t nChunks = list_.chunks().size();
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t c = 0; c < nChunks; ++c) find(workOf(numbers, c), radius);
@@ -281,8 +354,8 @@ void Engine<Dim>::findNear(Numbers<T>& numbers) {
 template <int Dim>
 std::size_t Engine<Dim>::bytes() const {
   return clusters_.bytes() + list_.bytes() + arena_.bytes() +
-         inFloat_.positions.capacity() * sizeof(float) +
-         inDouble_.positions.capacity() * sizeof(double);
+         (inFloat_.positions.capacity() + inFloat_.smoothingLengths.capacity()) * sizeof(float) +
+         (inDouble_.positions.capacity() + inDouble_.smoothingLengths.capacity()) * sizeof(double);
 }
 
 template class Engine<1>;

@@ -72,7 +72,8 @@ class Engine {
     double skin = 0.2;          ///< extra list radius, in units of the support
     bool wallsReceive = false;  ///< some pass has walls among its receivers
     Precision precision = Precision::mixed;
-    Units units = {};  ///< that passes were made for
+    Units units = {};       ///< that passes were made for
+    bool adaptive = false;  ///< supports are twice field::smoothingLength, not `support`
   };
 
   /// Throws InputError if a periodic axis of `domain` is shorter than twice the support.
@@ -80,11 +81,13 @@ class Engine {
 
   /// To be called before the passes of a step. Where particles may have moved by half the skin
   /// since the last search, wraps them into the domain, reorders and searches anew; returns whether
-  /// it did.
+  /// it did. Throws RunError for particles that cannot be sorted or searched.
   bool update(ParticleSet<Dim>& particles);
 
   /// To be called when particles have moved: no one further than `distance` [m].
   void moved(double distance) { travelled_ += distance; }
+  /// To be called when smoothing lengths have changed: none by a larger factor.
+  void grew(double factor) { growth_ *= std::max(1.0, factor); }
   /// Search anew at the next update.
   void forget() { travelled_ = std::numeric_limits<double>::infinity(); }
 
@@ -116,7 +119,8 @@ class Engine {
     return copy;
   }
 
-  double support() const { return options_.support; }
+  /// The largest support of a particle [m].
+  double support() const { return largestSupport_; }
   const Units& units() const { return options_.units; }
   /// What the present list is computed in; double where float would not do.
   Precision precision() const { return precision_; }
@@ -131,13 +135,17 @@ class Engine {
   /// What pairs are computed from and to, in clusters.
   template <class T>
   struct Numbers {
-    AlignedVector<T> positions;  ///< relative to the origin of the cluster
-    std::span<T> fields, sums;   ///< of the last pass, in the arena
+    AlignedVector<T> positions;         ///< relative to the origin of the cluster
+    AlignedVector<T> smoothingLengths;  ///< empty if all have the same
+    std::span<T> fields, sums;          ///< of the last pass, in the arena
   };
 
   void requireSortable(const ParticleSet<Dim>& particles) const;
   void sort(ParticleSet<Dim>& particles);
   void search(const ParticleSet<Dim>& particles);
+  bool isOld() const;
+  void setSupports(const ParticleSet<Dim>& particles);
+  void requireRoomForSupport() const;
   template <class T>
   void loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& particles);
   template <class T>
@@ -157,9 +165,9 @@ class Engine {
   Box<Dim> domain_;
   Options options_;
   Periodicity<Dim> periodicity_;
-  double skin_ = 0;        // [m]
-  double usableSkin_ = 0;  // of the present list [m]
-  double travelled_ = 0;   // since the last search [m]
+  double largestSupport_, smallestSupport_;  // when the list was made [m]
+  bool skinIsUsable_ = true;                 // by the present list
+  double travelled_ = 0, growth_ = 1;        // since the last search [m], []
   SpatialOrder<Dim> spatialOrder_;
   Arena arena_;                             // of a sort, then of each pass
   Precision precision_ = Precision::mixed;  // of the present list

@@ -38,4 +38,9 @@ template <class Isa, class T, int components>
 void loadField(const double* values, double scale, const ClusterRun& run, std::size_t stride,
                T* to);
 
+/// The same for a field that is computed: numerator / density^power, numerator null for 1.
+template <class Isa, class T>
+void loadDerived(const double* numerator, const double* density, int power, double scale,
+                 const ClusterRun& run, std::size_t stride, T* to);
+
 }  // namespace plenum

@@ -9,7 +9,11 @@ namespace plenum {
 template <class Isa, class T, int Dim>
 void findNearTiles(const TileWork<Dim, T>& work, double radius) {
   constexpr int lanes = std::min<int>(Isa::bytes / sizeof(T), clusterSize);
-  NearTiles<Pack<T, lanes, Isa>, Dim>(work, radius).find();
+  using Real = Pack<T, lanes, Isa>;
+  if (work.smoothingLengths == nullptr)
+    NearTiles<Real, Dim, false>(work, radius).find();
+  else
+    NearTiles<Real, Dim, true>(work, radius).find();
 }
 
 using Isa = isa::PLENUM_ISA;

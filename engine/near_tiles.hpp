@@ -6,7 +6,8 @@
 
 namespace plenum {
 
-template <class Real, int Dim>
+/// `adaptive`: each particle has its own smoothing length.
+template <class Real, int Dim, bool adaptive>
 class NearTiles {
   using T = typename Real::Scalar;
   static constexpr int n = static_cast<int>(clusterSize);
@@ -23,9 +24,12 @@ class NearTiles {
       TileCounts& count = work_.counts[half];
       const T* block = work_.positions + std::size_t{work_.locals[half / 2].cluster} * (Dim * n) +
                        half % 2 * nReceivers;
-      Real x[nReceivers][Dim];
-      for (int c = 0; c < nReceivers; ++c)
-        for (int a = 0; a < Dim; ++a) x[c][a] = Real(block[a * n + c]);
+      Receiver x[nReceivers];
+      for (int c = 0; c < nReceivers; ++c) {
+        for (int a = 0; a < Dim; ++a) x[c].position[a] = Real(block[a * n + c]);
+        if constexpr (adaptive)
+          x[c].h = Real(lengthsOf(half / 2)[half % 2 * nReceivers + static_cast<unsigned>(c)]);
+      }
       const Vec<Dim>& origin = work_.locals[half / 2].origin;
       count.nearSelf = nearFirst(x, origin, tile, count.self);
       tile += count.self;
@@ -37,8 +41,17 @@ class NearTiles {
   }
 
  private:
+  struct Receiver {
+    Real position[Dim];
+    Real h;
+  };
+
+  const T* lengthsOf(std::size_t local) const {
+    return work_.smoothingLengths + std::size_t{work_.locals[local].cluster} * n;
+  }
+
   /// Swaps each near tile with the first one that is not; without a branch.
-  [[gnu::always_inline]] std::uint16_t nearFirst(const Real (&x)[nReceivers][Dim],
+  [[gnu::always_inline]] std::uint16_t nearFirst(const Receiver (&x)[nReceivers],
                                                  const Vec<Dim>& origin, std::uint16_t* tile,
                                                  std::uint32_t count) const {
     std::uint32_t nNear = 0;
@@ -52,22 +65,28 @@ class NearTiles {
     return static_cast<std::uint16_t>(nNear);
   }
 
-  [[gnu::always_inline]] bool isNear(const Real (&x)[nReceivers][Dim], const Vec<Dim>& origin,
+  [[gnu::always_inline]] bool isNear(const Receiver (&x)[nReceivers], const Vec<Dim>& origin,
                                      std::size_t candidate) const {
     const LocalCluster<Dim>& local = work_.locals[candidate];
     const T* block = work_.positions + std::size_t{local.cluster} * (Dim * n);
-    Real least(limit_);
+    const T bound = adaptive ? T(0) : limit_;
+    Real least(bound);
     for (int part = 0; part < n; part += lanes) {
       Real y[Dim];
       for (int a = 0; a < Dim; ++a)
         y[a] = Real::load(block + a * n + part) + Real(static_cast<T>(local.origin[a] - origin[a]));
       for (int c = 0; c < nReceivers; ++c) {
         Real distanceSquared(0);
-        for (int a = 0; a < Dim; ++a) distanceSquared += (x[c][a] - y[a]) * (x[c][a] - y[a]);
+        for (int a = 0; a < Dim; ++a)
+          distanceSquared += (x[c].position[a] - y[a]) * (x[c].position[a] - y[a]);
+        if constexpr (adaptive) {
+          const Real h = max(x[c].h, Real::load(lengthsOf(candidate) + part));
+          distanceSquared -= Real(limit_) * h * h;
+        }
         least = min(least, distanceSquared);
       }
     }
-    return lanesBelow(least, limit_) != 0;
+    return lanesBelow(least, bound) != 0;
   }
 
   const TileWork<Dim, T>& work_;

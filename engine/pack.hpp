@@ -48,7 +48,7 @@ struct Pack {
   [[gnu::always_inline]] friend Pack operator+(Pack a, Pack b) { return of(a.raw + b.raw); }
   [[gnu::always_inline]] friend Pack operator-(Pack a, Pack b) { return of(a.raw - b.raw); }
   [[gnu::always_inline]] friend Pack operator*(Pack a, Pack b) { return of(a.raw * b.raw); }
-  [[gnu::always_inline]] friend Pack operator/(Pack a, Pack b) { return a * reciprocal(b); }
+  [[gnu::always_inline]] friend Pack operator/(Pack a, Pack b) { return of(a.raw / b.raw); }
   [[gnu::always_inline]] friend Pack operator-(Pack a) { return of(-a.raw); }
   [[gnu::always_inline]] friend Mask operator<(Pack a, Pack b) { return a.raw < b.raw; }
 
@@ -59,47 +59,18 @@ struct Pack {
   }
   [[gnu::always_inline]] friend Pack positivePart(Pack a) { return max(a, Pack(0)); }
   [[gnu::always_inline]] friend Pack negativePart(Pack a) { return min(a, Pack(0)); }
-  [[gnu::always_inline]] friend Pack squareRoot(Pack a) { return root(a); }
+  [[gnu::always_inline]] friend Pack squareRoot(Pack a) { return of(root(a.raw)); }
 
  private:
-  // Processors divide and take roots 7 to 17 times slower than they multiply (Zen 3: 1.1, 1.6 and
-  // .15 ns for 8 floats), but give 11 bits of 1/x and 1/sqrt(x) at full speed; a Newton step makes
-  // 22 of them, enough for pairs in float.
-#if defined(__AVX512F__)
-  static constexpr bool estimates = std::is_same_v<T, float> && (N == 4 || N == 8 || N == 16);
-#elif defined(__AVX__)
-  static constexpr bool estimates = std::is_same_v<T, float> && (N == 4 || N == 8);
-#elif defined(__SSE2__)
-  static constexpr bool estimates = std::is_same_v<T, float> && N == 4;
-#else
-  static constexpr bool estimates = false;
-#endif
-
-  [[gnu::always_inline]] static Pack reciprocal(Pack a) {
-    if constexpr (estimates) {
-      const Pack y = of(reciprocalEstimate(a.raw));
-      return y * (Pack(2) - a * y);
-    } else {
-      return of(Pack(1).raw / a.raw);
-    }
-  }
-
-  [[gnu::always_inline]] static Pack root(Pack a) {
-    if constexpr (estimates) {
-      // s = a/sqrt(a) and half a Newton step; the bound keeps the root of zero at zero.
-      const Pack y = of(inverseRootEstimate(max(a, Pack(1e-37f)).raw));
-      const Pack s = a * y;
-      return s + Pack(0.5f) * y * (a - s * s);
-    } else {
-      return of(exactRoot(a.raw));
-    }
-  }
-
   // The compiler does not find these instructions by itself as long as it must honour NaN.
   [[gnu::always_inline]] static Raw larger(Raw a, Raw b) {
 #if defined(__AVX__)
     if constexpr (std::is_same_v<T, float> && N == 8) return _mm256_max_ps(a, b);
     if constexpr (std::is_same_v<T, double> && N == 4) return _mm256_max_pd(a, b);
+#endif
+#if defined(__SSE2__)
+    if constexpr (std::is_same_v<T, float> && N == 4) return _mm_max_ps(a, b);
+    if constexpr (std::is_same_v<T, double> && N == 2) return _mm_max_pd(a, b);
 #endif
     return a > b ? a : b;
   }
@@ -108,48 +79,29 @@ struct Pack {
     if constexpr (std::is_same_v<T, float> && N == 8) return _mm256_min_ps(a, b);
     if constexpr (std::is_same_v<T, double> && N == 4) return _mm256_min_pd(a, b);
 #endif
+#if defined(__SSE2__)
+    if constexpr (std::is_same_v<T, float> && N == 4) return _mm_min_ps(a, b);
+    if constexpr (std::is_same_v<T, double> && N == 2) return _mm_min_pd(a, b);
+#endif
     return a < b ? a : b;
   }
 
-  [[gnu::always_inline]] static Raw exactRoot(Raw a) {
+  [[gnu::always_inline]] static Raw root(Raw a) {
 #if defined(__AVX512F__)
     if constexpr (std::is_same_v<T, double> && N == 8) return _mm512_maskz_sqrt_pd(0xff, a);
+    if constexpr (std::is_same_v<T, float> && N == 16) return _mm512_maskz_sqrt_ps(0xffff, a);
 #endif
 #if defined(__AVX__)
     if constexpr (std::is_same_v<T, double> && N == 4) return _mm256_sqrt_pd(a);
+    if constexpr (std::is_same_v<T, float> && N == 8) return _mm256_sqrt_ps(a);
 #endif
 #if defined(__SSE2__)
     if constexpr (std::is_same_v<T, double> && N == 2) return _mm_sqrt_pd(a);
+    if constexpr (std::is_same_v<T, float> && N == 4) return _mm_sqrt_ps(a);
 #endif
     Raw result;
     for (int k = 0; k < N; ++k) result[k] = squareRoot(a[k]);
     return result;
-  }
-
-  [[gnu::always_inline]] static Raw reciprocalEstimate(Raw a) {
-#if defined(__AVX512F__)
-    if constexpr (N == 16) return _mm512_maskz_rcp14_ps(0xffff, a);
-#endif
-#if defined(__AVX__)
-    if constexpr (N == 8) return _mm256_rcp_ps(a);
-#endif
-#if defined(__SSE2__)
-    if constexpr (N == 4) return _mm_rcp_ps(a);
-#endif
-    return a;
-  }
-
-  [[gnu::always_inline]] static Raw inverseRootEstimate(Raw a) {
-#if defined(__AVX512F__)
-    if constexpr (N == 16) return _mm512_maskz_rsqrt14_ps(0xffff, a);
-#endif
-#if defined(__AVX__)
-    if constexpr (N == 8) return _mm256_rsqrt_ps(a);
-#endif
-#if defined(__SSE2__)
-    if constexpr (N == 4) return _mm_rsqrt_ps(a);
-#endif
-    return a;
   }
 };
 

@@ -4,12 +4,15 @@
 //
 //   struct Term {
 //     static constexpr FieldSet reads{...};   // members of ij.i and ij.j that it uses
-//     static constexpr FieldSet writes{...};  // members of Sums that it adds to
+//     static constexpr FieldSet writes{...};  // members of Sums or Exchange that it adds to
 //     template <class Real, int Dim>
 //     void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const;
 //   };
 //
-// It knows neither loop nor layout nor how many pairs it sees at once: `Real` is a number or a
+// that adds what particle i gets from j, or takes an Exchange: what i gets and j loses, so that the
+// pair is computed once and momentum is conserved to the last digit of a sum.
+//
+// A term knows neither loop nor layout nor how many pairs it sees at once: `Real` is a number or a
 // pack. As in the formulas, sums run over all neighbours and the particle itself (r_ij = 0).
 #pragma once
 
@@ -28,11 +31,14 @@ using FieldTag = std::integral_constant<FieldId, Id>;
 /// The fields of one particle that terms may read.
 template <class Real, int Dim>
 struct ParticleView {
+  Vec<Dim, Real> velocity;
   Real mass;
   Real density;
   Real pressure;
-  Vec<Dim, Real> velocity;
-  Real inverseDensity;  ///< 1/density, computed once a particle
+  Real smoothingLength;
+  Real volume;          ///< m/rho
+  Real specificVolume;  ///< 1/rho
+  Real specificStress;  ///< p/rho^2
 
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
@@ -40,6 +46,10 @@ struct ParticleView {
     visit(FieldTag<FieldId::mass>{}, &ParticleView::mass);
     visit(FieldTag<FieldId::density>{}, &ParticleView::density);
     visit(FieldTag<FieldId::pressure>{}, &ParticleView::pressure);
+    visit(FieldTag<FieldId::smoothingLength>{}, &ParticleView::smoothingLength);
+    visit(FieldTag<FieldId::volume>{}, &ParticleView::volume);
+    visit(FieldTag<FieldId::specificVolume>{}, &ParticleView::specificVolume);
+    visit(FieldTag<FieldId::specificStress>{}, &ParticleView::specificStress);
   }
 };
 
@@ -90,36 +100,60 @@ struct VectorSum {
 template <class Real, int Dim>
 struct Sums {
   Real density{0};
-  Real densityRate{0};
+  Real velocityDivergence{0};
   VectorSum<Real, Dim> acceleration;
-  VectorSum<Real, Dim> velocityChange;
 
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
     visit(FieldTag<FieldId::density>{}, &Sums::density);
-    visit(FieldTag<FieldId::densityRate>{}, &Sums::densityRate);
+    visit(FieldTag<FieldId::velocityDivergence>{}, &Sums::velocityDivergence);
     visit(FieldTag<FieldId::acceleration>{}, &Sums::acceleration);
-    visit(FieldTag<FieldId::velocityChange>{}, &Sums::velocityChange);
   }
 };
 
-/// A pair of neighbours. W [m^-d] and F [m^-(d+2)] are the kernel and its gradient's factor:
+/// What particle i gets from j and j loses.
+template <class Real, int Dim>
+struct Exchange {
+  VectorSum<Real, Dim> force;
+  VectorSum<Real, Dim> impulse;
+
+  template <class Visit>
+  [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
+    visit(FieldTag<FieldId::force>{}, &Exchange::force);
+    visit(FieldTag<FieldId::impulse>{}, &Exchange::impulse);
+  }
+};
+
+/// The kernel for one smoothing length: W [m^-d], and the factor F [m^-(d+2)] of its gradient,
 /// grad_i W_ij = F r_ij.
+template <class Real>
+struct KernelValues {
+  Real W, F;
+};
+
+/// A pair of neighbours. Where particles have smoothing lengths of their own, h, W and F are the
+/// means of those of i and j.
 template <class Real, int Dim>
 struct Pair {
   const ParticleView<Real, Dim>& i;
   const ParticleView<Real, Dim>& j;
   Vec<Dim, Real> r;      ///< r_ij = r_i - r_j, nearest periodic image [m]
   Real distanceSquared;  ///< |r_ij|^2 [m^2]
+  Real velocityDotR;     ///< v_ij . r_ij [m^2/s]; negative for approaching particles
   Real h;                ///< smoothing length [m]
-  Real W;
-  Real F;
-  Real velocityDotR;  ///< v_ij . r_ij [m^2/s]; negative for approaching particles
+  Real W, F;
+  KernelValues<Real> ofI, ofJ;  ///< with the smoothing length of i (gather), and of j (scatter)
 
   /// v_ij . grad_i W_ij [m^-d s^-1]
   [[gnu::always_inline]] Real velocityDotGradW() const { return F * velocityDotR; }
   /// grad_i W_ij [m^-(d+1)]
   [[gnu::always_inline]] GradW gradW() const { return {}; }
+};
+
+/// Whether a term exchanges something between the two, or adds to one of them.
+template <class Term, class Real, int Dim>
+concept Exchanges = requires(const Term& term, const Pair<Real, Dim>& ij, Exchange<Real, Dim>& e) {
+  term(ij, e);
 };
 
 }  // namespace plenum

@@ -16,14 +16,25 @@
 
 namespace plenum {
 
-/// One loop over all pairs. `Profile` is a kernel of particles/kernels.hpp or kernel::Any.
+/// A profile for particles that have a smoothing length each.
+template <class Profile>
+struct Adaptive : Profile {};
+
+template <class Profile>
+inline constexpr bool isAdaptive = false;
+template <class Profile>
+inline constexpr bool isAdaptive<Adaptive<Profile>> = true;
+
+/// One loop over all pairs. `Profile` is a kernel of particles/kernels.hpp or kernel::Any, or
+/// Adaptive of one.
 template <class Profile, class... Terms>
 struct Pass {
-  static constexpr FieldSet reads = (FieldSet{} | ... | Terms::reads);
+  static constexpr FieldSet reads =
+      ((isAdaptive<Profile> ? FieldSet{field::smoothingLength} : FieldSet{}) | ... | Terms::reads);
   static constexpr FieldSet writes = (FieldSet{} | ... | Terms::writes);
 
   Profile profile;
-  double smoothingLength;  ///< h of all particles [m]
+  double smoothingLength;  ///< h of all particles [m]; unused if they have their own
   std::tuple<Terms...> terms;
 
   /// The same pass for numbers in `units`.
@@ -50,7 +61,7 @@ class TileLoop {
   using T = typename Real::Scalar;
   using P = Pass<Profile, Terms...>;
   using View = ParticleView<Real, Dim>;
-  using Terms_ = std::index_sequence_for<Terms...>;
+  using Pair_ = Pair<Real, Dim>;
 
   static constexpr int nIn = componentsOf<Dim>(P::reads), nOut = componentsOf<Dim>(P::writes);
   static constexpr int n = static_cast<int>(clusterSize);
@@ -62,22 +73,36 @@ class TileLoop {
     Real of[nOut];
   };
 
+  /// W and F for one smoothing length.
+  struct Scale {
+    Real h, inverseH, sigmaW, sigmaF;
+
+    Scale() = default;
+    [[gnu::always_inline]] Scale(Real sigma, Real length) : h(length), inverseH(Real(1) / length) {
+      sigmaW = sigma * power<Dim>(inverseH);
+      sigmaF = sigmaW * (inverseH * inverseH);
+    }
+    [[gnu::always_inline]] KernelValues<Real> at(const Profile& profile, Real distance) const {
+      const Real R = distance * inverseH;
+      return {sigmaW * profile.f(R), sigmaF * profile.g(R)};
+    }
+  };
+  struct NoScale {};
+
   struct Particle {
     Vec<Dim, Real> position;
     View view;
+    [[no_unique_address]] std::conditional_t<isAdaptive<Profile>, Scale, NoScale> scale;
   };
 
   /// What is the same for all pairs.
   struct Constants {
     P pass;
-    Real h, inverseH, sigmaW, sigmaF;
+    Real sigma;
+    Scale scale;  // of the one smoothing length that all have
 
     explicit Constants(const P& p)
-        : pass(p), h(p.smoothingLength), inverseH(1 / p.smoothingLength) {
-      const double sigma = sigmaOf<Dim>(p.profile) * power<Dim>(1 / p.smoothingLength);
-      sigmaW = Real(sigma);
-      sigmaF = Real(sigma / (p.smoothingLength * p.smoothingLength));
-    }
+        : pass(p), sigma(sigmaOf<Dim>(p.profile)), scale(sigma, Real(p.smoothingLength)) {}
   };
 
  public:
@@ -150,44 +175,67 @@ class TileLoop {
   template <bool toNeighbours>
   [[gnu::always_inline]] static void addPair(const Constants& constants, const Particle& i,
                                              const Particle& j, Totals& totalsI, Totals& totalsJ) {
-    const P& pass = constants.pass;
+    const Profile& profile = constants.pass.profile;
     const Vec<Dim, Real> r = i.position - j.position;
     const Real distanceSquared = normSquared(r);
-    const Real R = squareRoot(distanceSquared) * constants.inverseH;
-    const Real W = constants.sigmaW * pass.profile.f(R);
-    const Real F = constants.sigmaF * pass.profile.g(R);
+    const Real distance = squareRoot(distanceSquared);
     Real vDotR;
     if constexpr (P::reads.has(FieldId::velocity))
       vDotR = dot(i.view.velocity - j.view.velocity, r);
-    Sums<Real, Dim> toI, toJ;
-    evaluate(pass, {i.view, j.view, r, distanceSquared, constants.h, W, F, vDotR}, toI, Terms_{});
-    if constexpr (toNeighbours) {
-      evaluate(pass, {j.view, i.view, -r, distanceSquared, constants.h, W, F, vDotR}, toJ,
-               Terms_{});
-      add(toJ, F, -r, totalsJ);
+    Real h, W, F;
+    KernelValues<Real> ofI, ofJ;
+    if constexpr (isAdaptive<Profile>) {
+      ofI = i.scale.at(profile, distance);
+      ofJ = j.scale.at(profile, distance);
+      h = Real(0.5) * (i.scale.h + j.scale.h);
+      W = Real(0.5) * (ofI.W + ofJ.W);
+      F = Real(0.5) * (ofI.F + ofJ.F);
+    } else {
+      ofI = ofJ = constants.scale.at(profile, distance);
+      h = constants.scale.h;
+      W = ofI.W;
+      F = ofI.F;
     }
-    add(toI, F, r, totalsI);
+    const Pair_ ij{i.view, j.view, r, distanceSquared, vDotR, h, W, F, ofI, ofJ};
+    const Pair_ ji{j.view, i.view, -r, distanceSquared, vDotR, h, W, F, ofJ, ofI};
+    Exchange<Real, Dim> exchange;
+    Sums<Real, Dim> toI, toJ;
+    const auto evaluate = [&](const auto& term) __attribute__((always_inline)) {
+      if constexpr (Exchanges<std::remove_cvref_t<decltype(term)>, Real, Dim>) {
+        term(ij, exchange);
+      } else {
+        term(ij, toI);
+        if constexpr (toNeighbours) term(ji, toJ);
+      }
+    };
+    (evaluate(std::get<Terms>(constants.pass.terms)), ...);
+    add(
+        exchange, F, r, [&](int k, Real x) __attribute__((always_inline)) {
+          totalsI.of[k] += x;
+          if constexpr (toNeighbours) totalsJ.of[k] -= x;
+        });
+    add(
+        toI, F, r, [&](int k, Real x) __attribute__((always_inline)) { totalsI.of[k] += x; });
+    if constexpr (toNeighbours)
+      add(
+          toJ, F, -r, [&](int k, Real x) __attribute__((always_inline)) { totalsJ.of[k] += x; });
   }
 
-  template <std::size_t... K>
-  [[gnu::always_inline]] static void evaluate(const P& pass, const Pair<Real, Dim>& pair,
-                                              Sums<Real, Dim>& sums, std::index_sequence<K...>) {
-    (std::get<K>(pass.terms)(pair, sums), ...);
-  }
-
-  [[gnu::always_inline]] static void add(const Sums<Real, Dim>& sums, Real F,
-                                         const Vec<Dim, Real>& r, Totals& totals) {
-    Sums<Real, Dim>::forEachMember([&](auto tag, auto member) {
+  /// Calls put(k, number) for each number of `writes` that is in `sums`.
+  template <class SumsOrExchange, class Put>
+  [[gnu::always_inline]] static void add(const SumsOrExchange& sums, Real F,
+                                         const Vec<Dim, Real>& r, Put&& put) {
+    SumsOrExchange::forEachMember([&](auto tag, auto member) __attribute__((always_inline)) {
       if constexpr (P::writes.has(tag)) {
         constexpr int first = offsetOf<Dim>(P::writes, tag);
         if constexpr (infoOf(tag).rank == Rank::vector) {
           const Real factor = (sums.*member).alongGradW * F;
           const Vec<Dim, Real>& rest = (sums.*member).rest;
-          totals.of[first] += factor * r[0] + rest[0];
-          if constexpr (Dim > 1) totals.of[first + 1] += factor * r[1] + rest[1];
-          if constexpr (Dim > 2) totals.of[first + 2] += factor * r[2] + rest[2];
+          put(first, factor * r[0] + rest[0]);
+          if constexpr (Dim > 1) put(first + 1, factor * r[1] + rest[1]);
+          if constexpr (Dim > 2) put(first + 2, factor * r[2] + rest[2]);
         } else {
-          totals.of[first] += sums.*member;
+          put(first, sums.*member);
         }
       }
     });
@@ -209,7 +257,7 @@ class TileLoop {
           p.view.*member = load(fields + first * n);
       }
     });
-    if constexpr (P::reads.has(FieldId::density)) p.view.inverseDensity = Real(1) / p.view.density;
+    if constexpr (isAdaptive<Profile>) p.scale = Scale(constants_.sigma, p.view.smoothingLength);
     return p;
   }
 

@@ -36,24 +36,20 @@ void Clusters<Dim>::append(std::span<const std::size_t> cellEnds, bool areFluid)
 }
 
 template <int Dim>
-void Clusters<Dim>::place(std::span<const Vec<Dim>> positions, const Box<Dim>& domain,
-                          std::span<ClusterBox<Dim>> roomForBoxes) {
-  origin.resize(nClusters);
-  boxes = roomForBoxes;
-  forEachIndex(nClusters, [&](std::size_t c) {
-    const std::size_t begin = firstOf(c), n = endOf(c) - begin;
-    for (int a = 0; a < Dim; ++a) {
-      std::array<double, clusterSize> x{};
-      for (std::size_t k = 0; k < n; ++k) x[k] = positions[begin + k][a];
-      for (std::size_t k = 1; k < n; ++k)  // by insertion: eight are few
-        for (std::size_t q = k; q > 0 && x[q] < x[q - 1]; --q) std::swap(x[q], x[q - 1]);
-      origin[c][a] = domain.isPeriodic(a) ? 0.5 * (x[0] + x[n - 1]) : x[n / 2];
-      // To float, and never smaller.
-      constexpr double outwards = 1 + 1e-6;
-      boxes[c].lower[a] = static_cast<float>(outwards * (x[0] - origin[c][a]));
-      boxes[c].upper[a] = static_cast<float>(outwards * (x[n - 1] - origin[c][a]));
-    }
-  });
+void Clusters<Dim>::placeOne(std::size_t c, std::span<const Vec<Dim>> positions,
+                             const Box<Dim>& domain) {
+  const std::size_t begin = firstOf(c), n = endOf(c) - begin;
+  for (int a = 0; a < Dim; ++a) {
+    std::array<double, clusterSize> x{};
+    for (std::size_t k = 0; k < n; ++k) x[k] = positions[begin + k][a];
+    for (std::size_t k = 1; k < n; ++k)  // by insertion: eight are few
+      for (std::size_t q = k; q > 0 && x[q] < x[q - 1]; --q) std::swap(x[q], x[q - 1]);
+    origin[c][a] = domain.isPeriodic(a) ? 0.5 * (x[0] + x[n - 1]) : x[n / 2];
+    // To float, and never smaller.
+    constexpr double outwards = 1 + 1e-6;
+    boxes[c].lower[a] = static_cast<float>(outwards * (x[0] - origin[c][a]));
+    boxes[c].upper[a] = static_cast<float>(outwards * (x[n - 1] - origin[c][a]));
+  }
 }
 
 template <int Dim>
@@ -100,13 +96,15 @@ void TileList<Dim>::group(const Clusters<Dim>& clusters) {
     for (std::size_t first = begin; first < end; first += chunkSize_)
       groups.push_back({static_cast<std::uint32_t>(first),
                         static_cast<std::uint32_t>(std::min(end, first + chunkSize_)),
-                        Box<Dim>::nothing()});
+                        Box<Dim>::nothing(), 0});
   };
   add(0, clusters.nFluidClusters);
   add(clusters.nFluidClusters, clusters.nClusters);
   forEachIndex(groups.size(), [&](std::size_t g) {
-    for (std::size_t c = groups[g].first; c < groups[g].last; ++c)
+    for (std::size_t c = groups[g].first; c < groups[g].last; ++c) {
       groups[g].box.extend(boxOf(clusters, c));
+      groups[g].reach = std::max(groups[g].reach, static_cast<double>(clusters.boxes[c].reach));
+    }
   });
 }
 
@@ -118,8 +116,7 @@ std::size_t TileList<Dim>::chunkOf(std::size_t cluster) const {
 
 template <int Dim>
 void TileList<Dim>::build(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
-                          const Box<Dim>& domain, double radius, double unitLength,
-                          bool wallsReceive) {
+                          const Box<Dim>& domain, double unitLength, bool wallsReceive) {
   const auto nThreads = static_cast<std::size_t>(omp_get_max_threads());
   if (work_->searches.size() < nThreads) work_->searches.resize(nThreads);
   // Chunks of equal numbers of clusters: large enough that few clusters lie outside of the chunk
@@ -127,7 +124,7 @@ void TileList<Dim>::build(std::span<const Vec<Dim>> positions, const Clusters<Di
   // depend on the number of threads, so that sums do not, either.
   constexpr std::size_t smallest = Dim == 3 ? 512 : 256, largest = 2048, wanted = 64;
   chunkSize_ = std::clamp(clusters.nClusters / wanted, smallest, largest);
-  while (!tryBuild(positions, clusters, domain, radius, unitLength, wallsReceive)) {
+  while (!tryBuild(positions, clusters, domain, unitLength, wallsReceive)) {
     // So many neighbours that the numbers of a chunk do not suffice: smaller chunks see fewer.
     if (chunkSize_ == 1)
       throw RunError(fmt::format(
@@ -142,8 +139,7 @@ void TileList<Dim>::build(std::span<const Vec<Dim>> positions, const Clusters<Di
 
 template <int Dim>
 bool TileList<Dim>::tryBuild(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
-                             const Box<Dim>& domain, double radius, double unitLength,
-                             bool wallsReceive) {
+                             const Box<Dim>& domain, double unitLength, bool wallsReceive) {
   divide(clusters, wallsReceive);
   group(clusters);
   bool fits = true;
@@ -152,8 +148,8 @@ bool TileList<Dim>::tryBuild(std::span<const Vec<Dim>> positions, const Clusters
   for (std::size_t c = 0; c < nChunks_; ++c)
     failure.watch(c, [&] {
       TileSearch<Dim>& search = work_->searches[static_cast<std::size_t>(omp_get_thread_num())];
-      fits = search.run(positions, clusters, work_->groups, domain, radius, unitLength,
-                        wallsReceive, chunks_[c]) &&
+      fits = search.run(positions, clusters, work_->groups, domain, unitLength, wallsReceive,
+                        chunks_[c]) &&
              fits;
     });
   failure.rethrow();

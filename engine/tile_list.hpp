@@ -6,8 +6,11 @@
 
 #include "engine/spatial_order.hpp"
 #include "particles/box.hpp"
+#include "particles/parallel.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -17,6 +20,8 @@ namespace plenum {
 template <int Dim>
 struct ClusterBox {
   Vec<Dim, float> lower, upper;
+  float reach;          ///< largest distance at which one of its particles sees others [m]
+  float smallestReach;  ///< and the smallest [m]
 };
 
 /// Runs of at most eight particles that lie near each other: those of fluids first, then those of
@@ -41,14 +46,36 @@ struct Clusters {
   /// Cuts cells of particles that follow those there are into clusters: no cluster has particles of
   /// two cells. cellEnds: as SpatialOrder::cellEnds().
   void append(std::span<const std::size_t> cellEnds, bool areFluid);
-  /// Sets origins and boxes.
-  void place(std::span<const Vec<Dim>> positions, const Box<Dim>& domain,
+  /// Sets origins and boxes. reach(i) [m]: the distance at which particle i sees others.
+  template <class Reach>
+  void place(std::span<const Vec<Dim>> positions, const Box<Dim>& domain, Reach&& reach,
              std::span<ClusterBox<Dim>> roomForBoxes);
 
   std::size_t bytes() const {
     return origin.capacity() * sizeof(Vec<Dim>) + first.capacity() * sizeof(first[0]);
   }
+
+ private:
+  void placeOne(std::size_t cluster, std::span<const Vec<Dim>> positions, const Box<Dim>& domain);
 };
+
+template <int Dim>
+template <class Reach>
+void Clusters<Dim>::place(std::span<const Vec<Dim>> positions, const Box<Dim>& domain,
+                          Reach&& reach, std::span<ClusterBox<Dim>> roomForBoxes) {
+  origin.resize(nClusters);
+  boxes = roomForBoxes;
+  forEachIndex(nClusters, [&](std::size_t c) {
+    placeOne(c, positions, domain);
+    double largest = 0, smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = firstOf(c); i < endOf(c); ++i) {
+      largest = std::max(largest, reach(i));
+      smallest = std::min(smallest, reach(i));
+    }
+    boxes[c].reach = static_cast<float>(largest * (1 + 1e-6));  // never smaller
+    boxes[c].smallestReach = static_cast<float>(smallest);
+  });
+}
 
 /// A cluster as a chunk sees it.
 template <int Dim>
@@ -89,9 +116,10 @@ class TileList {
   TileList(TileList&&) noexcept;
   TileList& operator=(TileList&&) noexcept;
 
-  /// All tiles with a pair closer than `radius` [m]; `unitLength` [m] is that of LocalCluster.
+  /// All tiles with a pair closer than the larger reach of the two clusters; `unitLength` [m] is
+  /// that of LocalCluster.
   void build(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
-             const Box<Dim>& domain, double radius, double unitLength, bool wallsReceive);
+             const Box<Dim>& domain, double unitLength, bool wallsReceive);
 
   std::span<const TileChunk<Dim>> chunks() const { return {chunks_.data(), nChunks_}; }
   std::span<TileChunk<Dim>> chunks() { return {chunks_.data(), nChunks_}; }
@@ -116,7 +144,7 @@ class TileList {
   struct Work;
 
   bool tryBuild(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
-                const Box<Dim>& domain, double radius, double unitLength, bool wallsReceive);
+                const Box<Dim>& domain, double unitLength, bool wallsReceive);
   void divide(const Clusters<Dim>& clusters, bool wallsReceive);
   void group(const Clusters<Dim>& clusters);
   void linkHalos(const Clusters<Dim>& clusters);

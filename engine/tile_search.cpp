@@ -42,12 +42,14 @@ void copyWithRoom(const std::vector<Value>& from, std::vector<Value>& to) {
 
 template <int Dim>
 BoxRows<Dim> rowsOf(const std::array<std::vector<float>, Dim>& centers,
-                    const std::array<std::vector<float>, Dim>& halves) {
+                    const std::array<std::vector<float>, Dim>& halves,
+                    const std::vector<float>& reaches) {
   BoxRows<Dim> rows;
   for (std::size_t a = 0; a < Dim; ++a) {
     rows.center[a] = centers[a].data();
     rows.half[a] = halves[a].data();
   }
+  rows.reach = reaches.data();
   return rows;
 }
 
@@ -56,13 +58,12 @@ BoxRows<Dim> rowsOf(const std::array<std::vector<float>, Dim>& centers,
 template <int Dim>
 bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
                           std::span<const ClusterGroup<Dim>> groups, const Box<Dim>& domain,
-                          double radius, double unitLength, bool wallsReceive,
-                          TileChunk<Dim>& chunk) {
+                          double unitLength, bool wallsReceive, TileChunk<Dim>& chunk) {
   clusters_ = &clusters;
   positions_ = positions;
   wallsReceive_ = wallsReceive;
   perUnit_ = 1 / unitLength;
-  begin(chunk, radius);
+  begin(chunk);
   const std::uint32_t firstOwn = chunk.firstCluster, lastOwn = firstOwn + chunk.nClusters;
   for (std::uint32_t c = firstOwn; c < lastOwn; ++c) addCandidate(c, Vec<Dim>{});
   const std::size_t nOwn = candidates_.size();
@@ -79,6 +80,8 @@ bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Di
     nearCenters_[a].resize(centers_[a].size());
     nearHalves_[a].resize(centers_[a].size());
   }
+  reaches_.insert(reaches_.end(), boxPadding, 0.0f);
+  nearReaches_.resize(reaches_.size());
   nearCluster_.resize(candidates_.size() + boxPadding);
   nearHalf_.resize(candidates_.size() + boxPadding);
   for (std::size_t c = 0; c < nOwn; ++c) {
@@ -105,6 +108,8 @@ void TileSearch<Dim>::keepRoom() {
   keep(points_);
   keep(nearCluster_);
   keep(nearHalf_);
+  keep(reaches_);
+  keep(nearReaches_);
   keep(found_.counts);
   keep(found_.tiles);
   keep(found_.locals);
@@ -118,7 +123,7 @@ void TileSearch<Dim>::keepRoom() {
 }
 
 template <int Dim>
-void TileSearch<Dim>::begin(const TileChunk<Dim>& chunk, double radius) {
+void TileSearch<Dim>::begin(const TileChunk<Dim>& chunk) {
   found_.firstCluster = chunk.firstCluster;
   found_.nClusters = chunk.nClusters;
   found_.counts.clear();
@@ -127,35 +132,41 @@ void TileSearch<Dim>::begin(const TileChunk<Dim>& chunk, double radius) {
   found_.halo.clear();
   candidates_.clear();
   points_.clear();
+  reaches_.clear();
   for (std::size_t a = 0; a < Dim; ++a) {
     centers_[a].clear();
     halves_[a].clear();
   }
   box_ = Box<Dim>::nothing();
-  for (std::size_t c = chunk.firstCluster; c < chunk.firstCluster + chunk.nClusters; ++c)
+  reach_ = 0;
+  for (std::size_t c = chunk.firstCluster; c < chunk.firstCluster + chunk.nClusters; ++c) {
     box_.extend(boxOf(*clusters_, c));
+    reach_ = std::max(reach_, static_cast<double>(clusters_->boxes[c].reach));
+  }
   origin_ = box_.center();
-  double extent = radius;
+  double extent = reach_;
   for (int a = 0; a < Dim; ++a) extent += box_.upper[a] - box_.lower[a];
-  radius_ = radius + 1e-6 * extent;  // the search rounds to float
+  rounding_ = 1e-6 * extent;
 }
 
 template <int Dim>
 void TileSearch<Dim>::addNear(const ClusterGroup<Dim>& group, const Vec<Dim>& shift) {
-  if (!isNear(group.box, shift)) return;
+  if (!isNear(group.box, group.reach, shift)) return;
   for (std::uint32_t c = group.first; c < group.last; ++c)
-    if (isNear(boxOf(*clusters_, c), shift)) addCandidate(c, shift);
+    if (isNear(boxOf(*clusters_, c), static_cast<double>(clusters_->boxes[c].reach), shift))
+      addCandidate(c, shift);
 }
 
 template <int Dim>
-bool TileSearch<Dim>::isNear(const Box<Dim>& box, const Vec<Dim>& shift) const {
+bool TileSearch<Dim>::isNear(const Box<Dim>& box, double reach, const Vec<Dim>& shift) const {
   double distanceSquared = 0;
   for (int a = 0; a < Dim; ++a) {
     const double gap = std::max(
         {box_.lower[a] - box.upper[a] - shift[a], box.lower[a] + shift[a] - box_.upper[a], 0.0});
     distanceSquared += gap * gap;
   }
-  return distanceSquared < radius_ * radius_;
+  const double limit = std::max(reach, reach_) + rounding_;
+  return distanceSquared < limit * limit;
 }
 
 template <int Dim>
@@ -163,6 +174,7 @@ void TileSearch<Dim>::addCandidate(std::uint32_t cluster, const Vec<Dim>& shift)
   const Vec<Dim> origin = clusters_->origin[cluster] + shift - origin_;
   candidates_.push_back({origin, cluster, notLocal});
   const ClusterBox<Dim>& box = clusters_->boxes[cluster];
+  reaches_.push_back(box.reach + static_cast<float>(rounding_));
   for (int a = 0; a < Dim; ++a) {
     const auto axis = static_cast<std::size_t>(a);
     const double lower = static_cast<double>(box.lower[a]),
@@ -186,6 +198,7 @@ template <int Dim>
 FloatBox<Dim> TileSearch<Dim>::boxOfPoints(std::size_t candidate, std::size_t first,
                                            std::size_t last) const {
   FloatBox<Dim> box;
+  box.reach = reaches_[candidate];
   const float* x = points_.data() + candidate * clusterSize * Dim;
   for (int a = 0; a < Dim; ++a, x += clusterSize) {
     const auto [lower, upper] = std::minmax_element(x + first, x + last);
@@ -202,12 +215,12 @@ void TileSearch<Dim>::findTilesOf(std::size_t own, TileChunk<Dim>& chunk) {
                                          [](auto isa) { return &selectBoxes<decltype(isa), Dim>; });
   const auto selectNear = withInstructionSet(
       instructionSet(), [](auto isa) { return &selectClusters<decltype(isa), Dim>; });
-  const auto radius = static_cast<float>(radius_);
 
   // First those near the whole cluster; their boxes side by side.
   const std::size_t n = candidates_.size();
-  const std::size_t nNear = select(rowsOf<Dim>(centers_, halves_), own, n,
-                                   boxOfPoints(own, 0, clusterSize), radius, nearCluster_.data());
+  const std::size_t nNear = select(rowsOf<Dim>(centers_, halves_, reaches_), own, n,
+                                   boxOfPoints(own, 0, clusterSize), nearCluster_.data());
+  for (std::size_t k = 0; k < nNear; ++k) nearReaches_[k] = reaches_[nearCluster_[k]];
   for (std::size_t a = 0; a < Dim; ++a) {
     for (std::size_t k = 0; k < nNear; ++k) {
       nearCenters_[a][k] = centers_[a][nearCluster_[k]];
@@ -218,10 +231,10 @@ void TileSearch<Dim>::findTilesOf(std::size_t own, TileChunk<Dim>& chunk) {
   for (std::size_t part = 0; part < 2; ++part) {
     const FloatBox<Dim> box =
         boxOfPoints(own, part * clusterSize / 2, (part + 1) * clusterSize / 2);
-    std::size_t count =
-        select(rowsOf<Dim>(nearCenters_, nearHalves_), 0, nNear, box, radius, nearHalf_.data());
-    count = selectNear(points_.data(), nearCluster_.data(), nearHalf_.data(), count, box, radius,
-                       nearHalf_.data());
+    std::size_t count = select(rowsOf<Dim>(nearCenters_, nearHalves_, nearReaches_), 0, nNear, box,
+                               nearHalf_.data());
+    count = selectNear(points_.data(), reaches_.data(), nearCluster_.data(), nearHalf_.data(),
+                       count, box, nearHalf_.data());
     // Tiles of one kind are consecutive: candidates of fluids come before those of walls, and only
     // the cluster itself and its images must be picked out.
     std::array<std::size_t, 3> counts{};

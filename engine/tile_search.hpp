@@ -32,6 +32,7 @@ template <int Dim>
 struct ClusterGroup {
   std::uint32_t first = 0, last = 0;
   Box<Dim> box;
+  double reach = 0;  ///< the largest of its clusters [m]
 };
 
 /// The search for the tiles of one chunk, from the large to the small: which groups of clusters can
@@ -43,8 +44,8 @@ class TileSearch {
   /// Fills `chunk`. Returns whether its numbers suffice: false if it sees more than maxLocals
   /// clusters, and the chunk is of no use then. The work space stays for the next call.
   bool run(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
-           std::span<const ClusterGroup<Dim>> groups, const Box<Dim>& domain, double radius,
-           double unitLength, bool wallsReceive, TileChunk<Dim>& chunk);
+           std::span<const ClusterGroup<Dim>> groups, const Box<Dim>& domain, double unitLength,
+           bool wallsReceive, TileChunk<Dim>& chunk);
 
  private:
   struct Candidate {
@@ -55,9 +56,9 @@ class TileSearch {
   static constexpr std::uint32_t notLocal = std::numeric_limits<std::uint32_t>::max();
 
   void keepRoom();
-  void begin(const TileChunk<Dim>& chunk, double radius);
+  void begin(const TileChunk<Dim>& chunk);
   void addNear(const ClusterGroup<Dim>& group, const Vec<Dim>& shift);
-  bool isNear(const Box<Dim>& box, const Vec<Dim>& shift) const;
+  bool isNear(const Box<Dim>& box, double reach, const Vec<Dim>& shift) const;
   void addCandidate(std::uint32_t cluster, const Vec<Dim>& shift);
   FloatBox<Dim> boxOfPoints(std::size_t candidate, std::size_t first, std::size_t last) const;
   void findTilesOf(std::size_t own, TileChunk<Dim>& chunk);
@@ -66,15 +67,18 @@ class TileSearch {
   const Clusters<Dim>* clusters_ = nullptr;
   std::span<const Vec<Dim>> positions_;
   bool wallsReceive_ = false;
-  double perUnit_ = 1;  // units of length in a metre
-  Box<Dim> box_;        // of the chunk
-  Vec<Dim> origin_;     // its centre
-  double radius_ = 0;
+  double perUnit_ = 1;   // units of length in a metre
+  Box<Dim> box_;         // of the chunk
+  Vec<Dim> origin_;      // its centre
+  double reach_ = 0;     // the largest of its clusters [m]
+  double rounding_ = 0;  // of the search, which is in float [m]
   // Clusters that may be in a tile: the chunk's own, their images, those of other fluids, of walls.
   std::vector<Candidate> candidates_;
   std::array<std::vector<float>, Dim> centers_, halves_;  // their boxes, relative to the chunk
-  std::vector<float> points_;                             // [candidate][axis][particle]
+  std::vector<float> reaches_;
+  std::vector<float> points_;                                     // [candidate][axis][particle]
   std::array<std::vector<float>, Dim> nearCenters_, nearHalves_;  // of those near one cluster
+  std::vector<float> nearReaches_;
   std::vector<std::uint32_t> nearCluster_, nearHalf_;
   TileChunk<Dim> found_;
 };

@@ -38,9 +38,15 @@ enum class FieldId : std::uint8_t {
   wall,
   normal,
   wallDistance,
-  densityRate,
+  // computed from others as pairs are loaded, never stored
+  volume,
+  specificVolume,
+  specificStress,
+  // sums of a step
+  velocityDivergence,
   acceleration,
-  velocityChange,
+  force,
+  impulse,
   count
 };
 
@@ -59,7 +65,7 @@ struct FieldInfo {
   std::string_view unit;      ///< SI; d is the dimension
   Rank rank;
   Scope scope;
-  bool isState;  ///< written to files; rates and changes are scratch of a step
+  bool isState;  ///< written to files; all others live for a step at most
   std::string_view description;
   UnitPowers powers = {};
 };
@@ -145,15 +151,42 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      true,
      "depth of a wall particle behind its surface; zero in fluids",
      {0, 1, 0, 0}},
-    {FieldId::densityRate,
-     "density_rate",
-     "DensityRates",
-     "kg/(m^d s)",
+    {FieldId::volume,
+     "volume",
+     "Volumes",
+     "m^d",
      Rank::scalar,
      Scope::all,
      false,
-     "rate of change of density",
-     {1, 0, -1, -1}},
+     "mass over density",
+     {0, 0, 1, 0}},
+    {FieldId::specificVolume,
+     "specific_volume",
+     "SpecificVolumes",
+     "m^d/kg",
+     Rank::scalar,
+     Scope::all,
+     false,
+     "1/density",
+     {-1, 0, 1, 0}},
+    {FieldId::specificStress,
+     "specific_stress",
+     "SpecificStresses",
+     "m^(d+2)/(kg s^2)",
+     Rank::scalar,
+     Scope::all,
+     false,
+     "pressure over density squared",
+     {-1, 2, 1, -2}},
+    {FieldId::velocityDivergence,
+     "velocity_divergence",
+     "VelocityDivergences",
+     "1/s",
+     Rank::scalar,
+     Scope::all,
+     false,
+     "divergence of the velocity",
+     {0, 0, 0, -1}},
     {FieldId::acceleration,
      "acceleration",
      "Accelerations",
@@ -163,15 +196,24 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      false,
      "acceleration",
      {0, 1, 0, -2}},
-    {FieldId::velocityChange,
-     "velocity_change",
-     "VelocityChanges",
-     "m/s",
+    {FieldId::force,
+     "force",
+     "Forces",
+     "N",
      Rank::vector,
      Scope::fluid,
      false,
-     "change of velocity by collisions in this step",
-     {0, 1, 0, -1}},
+     "force on the particle",
+     {1, 1, 0, -2}},
+    {FieldId::impulse,
+     "impulse",
+     "Impulses",
+     "N s",
+     Rank::vector,
+     Scope::fluid,
+     false,
+     "change of momentum by collisions in this step",
+     {1, 1, 0, -1}},
 }};
 
 constexpr const FieldInfo& infoOf(FieldId id) { return fieldTable[static_cast<std::size_t>(id)]; }
@@ -202,9 +244,13 @@ inline constexpr Field<Rank::label> material{FieldId::material};
 inline constexpr Field<Rank::label> wall{FieldId::wall};
 inline constexpr Field<Rank::vector> normal{FieldId::normal};
 inline constexpr Field<Rank::scalar> wallDistance{FieldId::wallDistance};
-inline constexpr Field<Rank::scalar> densityRate{FieldId::densityRate};
+inline constexpr Field<Rank::scalar> volume{FieldId::volume};
+inline constexpr Field<Rank::scalar> specificVolume{FieldId::specificVolume};
+inline constexpr Field<Rank::scalar> specificStress{FieldId::specificStress};
+inline constexpr Field<Rank::scalar> velocityDivergence{FieldId::velocityDivergence};
 inline constexpr Field<Rank::vector> acceleration{FieldId::acceleration};
-inline constexpr Field<Rank::vector> velocityChange{FieldId::velocityChange};
+inline constexpr Field<Rank::vector> force{FieldId::force};
+inline constexpr Field<Rank::vector> impulse{FieldId::impulse};
 }  // namespace field
 
 /// A set of fields, usable at compile time.

@@ -13,8 +13,8 @@ namespace plenum {
 template <int Dim>
 struct StepPasses {
   PairPass<Dim> density;     ///< writes density or its rate
-  PairPass<Dim> forces;      ///< writes acceleration
-  PairPass<Dim> collisions;  ///< writes velocityChange
+  PairPass<Dim> forces;      ///< writes force
+  PairPass<Dim> collisions;  ///< writes impulse
 };
 
 /// `spacing` is d_ref [m], `units` are those of the engine. Kernels in the scenes' list get a loop

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/simulation.hpp"
 
+#include "engine/derived_fields.hpp"
 #include "particles/errors.hpp"
 #include "particles/parallel.hpp"
 #include "solver/preflight.hpp"
@@ -95,7 +96,7 @@ FieldSet Simulation<Dim>::neededFields() const {
   if (scene_.particles.nWalls() > 0) needed |= {field::wall, field::normal, field::wallDistance};
   if (scene_.info.materials.size() > 1) needed |= {field::material};
   for (const auto* pass : {&passes_.density, &passes_.forces, &passes_.collisions})
-    if (*pass) needed |= pass->reads;
+    if (*pass) needed |= storedFor(pass->reads);
   return needed;
 }
 
@@ -126,11 +127,12 @@ void Simulation<Dim>::updateDensity(double dt) {
       });
     });
   else
-    engine_.withSums(field::densityRate, [&](const auto& rates) {
-      addSoundly(
-          density, rates, wallsToo, "the density is no longer positive and finite",
-          [&](double rate) { return dt * rate; },
-          [](double next) { return next > 0 && std::isfinite(next); });
+    engine_.withSums(field::velocityDivergence, [&](const auto& divergences) {
+      advance(
+          density, divergences, wallsToo, "the density is no longer positive and finite",
+          [&](std::size_t, double rho, double div) { return rho * (1 - dt * div); },
+          [&](std::size_t, double rho, double div) { return rho / (1 - dt * div); },
+          [](double rho) { return rho > 0 && std::isfinite(rho); });
     });
 }
 
@@ -152,27 +154,29 @@ void Simulation<Dim>::updatePressure() {
   }
 }
 
-/// values[i] += change(sum of i) for all fluids, or for walls too. If some result is not sound,
-/// takes all back (to rounding) and throws RunError that names the first one.
+/// values[i] = next(i, values[i], sum of i) for all fluids, or for walls too. If some result is not
+/// sound, takes all back by `previous` (to rounding) and throws RunError that names the first one.
 template <int Dim>
-template <class Value, class Sums, class Change, class IsSound>
-void Simulation<Dim>::addSoundly(std::span<Value> values, const Sums& sums, bool wallsToo,
-                                 const char* what, Change&& change, IsSound&& isSound) {
+template <class Value, class Sums, class Next, class Previous, class IsSound>
+void Simulation<Dim>::advance(std::span<Value> values, const Sums& sums, bool wallsToo,
+                              const char* what, Next&& next, Previous&& previous,
+                              IsSound&& isSound) {
   const std::size_t nClusters = sums.nClusters(wallsToo), none = values.size();
   std::size_t bad = none;
 #pragma omp parallel for schedule(static) reduction(min : bad) if (none >= worthThreads)
   for (std::size_t c = 0; c < nClusters; ++c)
     sums.forEach(c, [&](std::size_t i, const auto& sum) {
-      const Value next = values[i] + change(sum);
-      if (isSound(next))
-        values[i] = next;
+      const Value value = next(i, values[i], sum);
+      if (isSound(value))
+        values[i] = value;
       else
         bad = std::min(bad, i);
     });
   if (bad == none) return;
   for (std::size_t c = 0; c < nClusters; ++c)
     sums.forEach(c, [&](std::size_t i, const auto& sum) {
-      if (isSound(values[i] + change(sum))) values[i] = values[i] - change(sum);
+      const Value value = previous(i, values[i], sum);
+      if (isSound(value)) values[i] = value;  // else it was not changed
     });
   fail(what, bad);
 }
@@ -191,18 +195,28 @@ template <int Dim>
 void Simulation<Dim>::kick(double dt) {
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const auto velocity = scene_.particles[field::velocity];
-  engine_.withSums(field::acceleration, [&](const auto& accelerations) {
-    addSoundly(
-        velocity, accelerations, false, "the force is not finite",
-        [&](const Vec<Dim>& a) { return dt * (a + gravity_); }, isFiniteVector);
+  const auto mass = std::as_const(scene_.particles)[field::mass];
+  engine_.withSums(field::force, [&](const auto& forces) {
+    const auto acceleration = [&](std::size_t i, const Vec<Dim>& force) {
+      return (1 / mass[i]) * force + gravity_;
+    };
+    advance(
+        velocity, forces, false, "the force is not finite",
+        [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& force) {
+          return v + dt * acceleration(i, force);
+        },
+        [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& force) {
+          return v - dt * acceleration(i, force);
+        },
+        isFiniteVector);
     double largest = 0;
-    const std::size_t nClusters = accelerations.nClusters(false);
+    const std::size_t nClusters = forces.nClusters(false);
 #pragma omp parallel for schedule(static) \
     reduction(max                         \
               : largest) if (velocity.size() >= worthThreads)
     for (std::size_t c = 0; c < nClusters; ++c)
-      accelerations.forEach(c, [&](std::size_t, const Vec<Dim>& a) {
-        largest = std::max(largest, normSquared(a + gravity_));
+      forces.forEach(c, [&](std::size_t i, const Vec<Dim>& force) {
+        largest = std::max(largest, normSquared(acceleration(i, force)));
       });
     largestAcceleration_ = std::sqrt(largest);
   });
@@ -213,11 +227,18 @@ void Simulation<Dim>::collide() {
   if (!passes_.collisions) return;
   engine_.run(passes_.collisions, scene_.particles);
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  engine_.withSums(field::velocityChange, [&](const auto& changes) {
-    addSoundly(
-        scene_.particles[field::velocity], changes, false,
+  const auto mass = std::as_const(scene_.particles)[field::mass];
+  engine_.withSums(field::impulse, [&](const auto& impulses) {
+    advance(
+        scene_.particles[field::velocity], impulses, false,
         "the change of velocity by collisions is not finite",
-        [](const Vec<Dim>& change) { return change; }, isFiniteVector);
+        [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& impulse) {
+          return v + (1 / mass[i]) * impulse;
+        },
+        [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& impulse) {
+          return v - (1 / mass[i]) * impulse;
+        },
+        isFiniteVector);
   });
 }
 

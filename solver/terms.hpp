@@ -9,7 +9,7 @@
 
 namespace plenum::term {
 
-/// rho_i = sum_j m_j W_ij, the particle itself included   [kg m^-d].  [C] (2.2).
+/// rho_i = sum_j m_j W_ij(h_i), the particle itself included   [kg m^-d].  [C] (2.2).
 struct DensitySum {
   static constexpr FieldSet reads{field::mass};
   static constexpr FieldSet writes{field::density};
@@ -17,58 +17,56 @@ struct DensitySum {
 
   template <class Real, int Dim>
   [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    i.density += ij.j.mass * ij.W;
+    i.density += ij.j.mass * ij.ofI.W;
   }
 };
 
-/// d rho_i/dt = rho_i sum_j (m_j/rho_j) v_ij . grad_i W_ij   [kg m^-d s^-1].  [C] (5.23).
+/// div v_i = -sum_j (m_j/rho_j) v_ij . grad_i W_ij   [1/s]; then d rho_i/dt = -rho_i div v_i is
+/// [C] (5.23).
 struct Continuity {
-  static constexpr FieldSet reads{field::mass, field::density, field::velocity};
-  static constexpr FieldSet writes{field::densityRate};
+  static constexpr FieldSet reads{field::volume, field::velocity};
+  static constexpr FieldSet writes{field::velocityDivergence};
   static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
   [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    i.densityRate += ij.i.density * ij.j.mass * ij.j.inverseDensity * ij.velocityDotGradW();
+    i.velocityDivergence -= ij.j.volume * ij.velocityDotGradW();
   }
 };
 
-/// dv_i/dt = -sum_j m_j (p_i/rho_i^2 + p_j/rho_j^2) grad_i W_ij   [m s^-2].  [C] (2.3);
+/// m_i dv_i/dt = -sum_j m_i m_j (p_i/rho_i^2 + p_j/rho_j^2) grad_i W_ij   [N].  [C] (2.3);
 /// the partner of DensitySum.
 struct PressureDensitySquared {
-  static constexpr FieldSet reads{field::mass, field::density, field::pressure};
-  static constexpr FieldSet writes{field::acceleration};
+  static constexpr FieldSet reads{field::mass, field::specificStress};
+  static constexpr FieldSet writes{field::force};
   static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
-  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    const Real stress = ij.i.pressure * (ij.i.inverseDensity * ij.i.inverseDensity) +
-                        ij.j.pressure * (ij.j.inverseDensity * ij.j.inverseDensity);
-    i.acceleration -= ij.j.mass * stress * ij.gradW();
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
+    i.force -= ij.i.mass * ij.j.mass * (ij.i.specificStress + ij.j.specificStress) * ij.gradW();
   }
 };
 
-/// dv_i/dt = -sum_j m_j (p_i + p_j)/(rho_i rho_j) grad_i W_ij   [m s^-2].  [C] (5.24);
-/// the partner of Continuity.
+/// m_i dv_i/dt = -sum_j V_i V_j (p_i + p_j) grad_i W_ij, V = m/rho   [N].  [C] (5.24); the partner
+/// of Continuity.
 struct PressureDensityProduct {
-  static constexpr FieldSet reads{field::mass, field::density, field::pressure};
-  static constexpr FieldSet writes{field::acceleration};
+  static constexpr FieldSet reads{field::volume, field::pressure};
+  static constexpr FieldSet writes{field::force};
   static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
-  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    const Real stress =
-        (ij.i.pressure + ij.j.pressure) * (ij.i.inverseDensity * ij.j.inverseDensity);
-    i.acceleration -= ij.j.mass * stress * ij.gradW();
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
+    i.force -= ij.i.volume * ij.j.volume * (ij.i.pressure + ij.j.pressure) * ij.gradW();
   }
 };
 
-/// dv_i/dt = -sum_j m_j Pi_ij grad_i W_ij, for approaching particles
-/// Pi_ij = (-alpha c mu + beta mu^2)/rho_mean, mu = h v_ij.r_ij/(r^2 + 0.01 h^2)   [m s^-2].
-/// Monaghan 1992, doi 10.1146/annurev.aa.30.090192.002551; [C] has beta = 0.
+/// m_i dv_i/dt = -sum_j m_i m_j Pi_ij grad_i W_ij, for approaching particles
+/// Pi_ij = (-alpha c mu + beta mu^2)/rho_mean, mu = h v_ij.r_ij/(r^2 + 0.01 h^2)   [N].
+/// Monaghan 1992, doi 10.1146/annurev.aa.30.090192.002551; [C] has beta = 0. Here with
+/// m_i m_j/rho_mean = 2 V_i V_j/(1/rho_i + 1/rho_j).
 struct MonaghanViscosity {
-  static constexpr FieldSet reads{field::density, field::mass, field::velocity};
-  static constexpr FieldSet writes{field::acceleration};
+  static constexpr FieldSet reads{field::volume, field::specificVolume, field::velocity};
+  static constexpr FieldSet writes{field::force};
   static constexpr bool usesKernel = true;
 
   double alpha = 0;
@@ -80,22 +78,22 @@ struct MonaghanViscosity {
   }
 
   template <class Real, int Dim>
-  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    const Real meanDensity = Real(0.5) * (ij.i.density + ij.j.density);
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
     const Real softened = ij.distanceSquared + Real(0.01) * ij.h * ij.h;
-    const Real muOverDensity = ij.h * negativePart(ij.velocityDotR) / (softened * meanDensity);
-    const Real mu = muOverDensity * meanDensity;
-    const Real Pi = muOverDensity * (Real(beta) * mu - Real(alpha * soundSpeed));
-    i.acceleration -= ij.j.mass * Pi * ij.gradW();
+    const Real twiceMean = ij.i.specificVolume + ij.j.specificVolume;
+    const Real muOverMean = ij.h * negativePart(ij.velocityDotR) / (softened * twiceMean);
+    const Real mu = muOverMean * twiceMean;
+    i.force -= ij.i.volume * ij.j.volume *
+               (muOverMean * (Real(2 * beta) * mu - Real(2 * alpha * soundSpeed))) * ij.gradW();
   }
 };
 
-/// Change of velocity [m/s] by collisions of approaching particles closer than `range`:
-/// -sum_j m_j/(m_i + m_j) (1 + C_R) (u_ij.r_ij) r_ij/r_ij^2.  [C] (4.20), which does not say that
-/// only approaching pairs collide: on all close pairs it heats a gas at rest.
+/// Change of momentum [N s] by collisions of approaching particles closer than `range`:
+/// -sum_j m_i m_j/(m_i + m_j) (1 + C_R) (u_ij.r_ij) r_ij/r_ij^2.  [C] (4.20), which does not say
+/// that only approaching pairs collide: on all close pairs it heats a gas at rest.
 struct Collision {
   static constexpr FieldSet reads{field::mass, field::velocity};
-  static constexpr FieldSet writes{field::velocityChange};
+  static constexpr FieldSet writes{field::impulse};
   static constexpr bool usesKernel = false;
 
   double restitution = 0;  ///< C_R
@@ -104,12 +102,12 @@ struct Collision {
   Collision inUnits(const Units& units) const { return {restitution, range / units.length}; }
 
   template <class Real, int Dim>
-  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
     const Real tiny = Real(1e-12 * range * range);  // coincident particles do not collide
     const Real approach =
         select(ij.distanceSquared < Real(range * range), negativePart(ij.velocityDotR), Real(0));
-    i.velocityChange -= ij.j.mass / (ij.i.mass + ij.j.mass) * Real(1 + restitution) * approach /
-                        max(ij.distanceSquared, tiny) * ij.r;
+    i.impulse -= ij.i.mass * ij.j.mass / (ij.i.mass + ij.j.mass) * Real(1 + restitution) *
+                 approach / max(ij.distanceSquared, tiny) * ij.r;
   }
 };
 

@@ -19,13 +19,13 @@ namespace plenum::test {
 /// Mass around a particle and its gradient.
 struct GradientProbe {
   static constexpr FieldSet reads{field::mass};
-  static constexpr FieldSet writes{field::densityRate, field::velocityChange};
+  static constexpr FieldSet writes{field::density, field::acceleration};
   static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
   void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    i.densityRate += ij.j.mass * ij.W;
-    i.velocityChange += ij.j.mass * ij.gradW();
+    i.density += ij.j.mass * ij.W;
+    i.acceleration += ij.j.mass * ij.gradW();
   }
 };
 
@@ -56,9 +56,17 @@ Vec<Dim, long double> toLong(const Vec<Dim>& x) {
 
 template <int Dim>
 ParticleView<long double, Dim> viewOf(const ParticleSet<Dim>& particles, std::size_t i) {
-  const long double density = particles[field::density][i];
-  return {particles[field::mass][i], density, particles[field::pressure][i],
-          toLong(particles[field::velocity][i]), 1 / density};
+  ParticleView<long double, Dim> view;
+  view.velocity = toLong(particles[field::velocity][i]);
+  view.mass = particles[field::mass][i];
+  view.density = particles[field::density][i];
+  view.pressure = particles[field::pressure][i];
+  view.smoothingLength =
+      particles.has(field::smoothingLength) ? particles[field::smoothingLength][i] : 0;
+  view.volume = view.mass / view.density;
+  view.specificVolume = 1 / view.density;
+  view.specificStress = view.pressure / (view.density * view.density);
+  return view;
 }
 
 /// The nearest image of x_i - x_j.
@@ -88,8 +96,12 @@ PairSums sumOfAllPairs(const Pass<Profile, Terms...>& pass, const ParticleSet<Di
   const auto nOut = static_cast<std::size_t>(sums.nOut);
   sums.value.assign(particles.size() * nOut, 0);
   sums.size.assign(particles.size() * nOut, 0);
-  const Real h = pass.smoothingLength;
-  const Real sigmaW = sigmaOf<Dim>(pass.profile) * power<Dim>(1 / h);
+  const Real sigma = sigmaOf<Dim>(pass.profile);
+  const auto kernel = [&](Real distance, Real h) {
+    const Real factor = sigma * power<Dim>(1 / h);
+    return KernelValues<Real>{factor * pass.profile.f(distance / h),
+                              factor / (h * h) * pass.profile.g(distance / h)};
+  };
   std::vector<ParticleView<Real, Dim>> views;
   for (std::size_t i = 0; i < particles.size(); ++i) views.push_back(viewOf(particles, i));
   const auto x = particles[field::position];
@@ -99,57 +111,88 @@ PairSums sumOfAllPairs(const Pass<Profile, Terms...>& pass, const ParticleSet<Di
       if (!isIn(sources, j, particles.nFluid())) continue;
       const Vec<Dim, Real> r = difference(box, x[i], x[j]);
       const Real distanceSquared = normSquared(r);
-      if (distanceSquared > 4 * h * h) continue;
-      const Real R = std::sqrt(distanceSquared) / h;
-      const Real F = sigmaW / (h * h) * pass.profile.g(R);
-      Sums<Real, Dim> pair;
-      const Pair<Real, Dim> ij{views[i], views[j],
-                               r,        distanceSquared,
-                               h,        sigmaW * pass.profile.f(R),
-                               F,        dot(views[i].velocity - views[j].velocity, r)};
-      std::apply([&](const auto&... term) { (term(ij, pair), ...); }, pass.terms);
+      Real hi = pass.smoothingLength, hj = pass.smoothingLength;
+      if constexpr (isAdaptive<Profile>) {
+        hi = views[i].smoothingLength;
+        hj = views[j].smoothingLength;
+      }
+      const Real h = (hi + hj) / 2, larger = std::max(hi, hj);
+      if (distanceSquared > 4 * larger * larger) continue;
+      const Real distance = std::sqrt(distanceSquared);
+      const KernelValues<Real> ofI = kernel(distance, hi), ofJ = kernel(distance, hj);
+      const Real F = (ofI.F + ofJ.F) / 2;
+      const Pair<Real, Dim> ij{views[i],
+                               views[j],
+                               r,
+                               distanceSquared,
+                               dot(views[i].velocity - views[j].velocity, r),
+                               h,
+                               (ofI.W + ofJ.W) / 2,
+                               F,
+                               ofI,
+                               ofJ};
+      Sums<Real, Dim> toI;
+      Exchange<Real, Dim> exchange;
+      const auto evaluate = [&](const auto& term) {
+        if constexpr (Exchanges<std::remove_cvref_t<decltype(term)>, Real, Dim>)
+          term(ij, exchange);
+        else
+          term(ij, toI);
+      };
+      std::apply([&](const auto&... term) { (evaluate(term), ...); }, pass.terms);
       const auto add = [&](int component, Real value) {
         const std::size_t k = i * nOut + static_cast<std::size_t>(component);
         sums.value[k] += value;
         sums.size[k] += std::abs(value);
       };
-      Sums<Real, Dim>::forEachMember([&](auto tag, auto member) {
-        if constexpr (writes.has(tag)) {
-          constexpr int first = offsetOf<Dim>(writes, tag);
-          if constexpr (infoOf(tag).rank == Rank::vector) {
-            const Vec<Dim, Real> total = (pair.*member).total(F * r);
-            for (int a = 0; a < Dim; ++a) add(first + a, total[a]);
-          } else {
-            add(first, pair.*member);
+      const auto addAll = [&]<class S>(const S& pair) {
+        S::forEachMember([&](auto tag, auto member) {
+          if constexpr (writes.has(tag)) {
+            constexpr int first = offsetOf<Dim>(writes, tag);
+            if constexpr (infoOf(tag).rank == Rank::vector) {
+              const Vec<Dim, Real> total = (pair.*member).total(F * r);
+              for (int a = 0; a < Dim; ++a) add(first + a, total[a]);
+            } else {
+              add(first, pair.*member);
+            }
           }
-        }
-      });
+        });
+      };
+      addAll(toI);
+      addAll(exchange);
     }
   }
   return sums;
 }
 
-/// Largest deviation of the engine's last sums from the double loop, over the receivers and in
-/// units of the typical size of the component's sums. Infinite if some sum is not finite.
+/// What a deviation is measured by: the typical size of the component's sums, or, where sizes of
+/// particles differ by orders of magnitude, that of the particle's own sum if it is larger.
+enum class Measure { typical, own };
+
+/// Largest deviation of the engine's last sums from the double loop, over the receivers. Infinite
+/// if some sum is not finite.
 template <int Dim>
 double worstDeviation(const Engine<Dim>& engine, FieldSet writes, const ParticleSet<Dim>& particles,
-                      const PairSums& expected, Group receivers) {
+                      const PairSums& expected, Group receivers,
+                      Measure measure = Measure::typical) {
   const std::size_t nFluid = particles.nFluid();
   const std::size_t first = hasFluids(receivers) ? 0 : nFluid;
   const std::size_t last = hasWalls(receivers) ? particles.size() : nFluid;
   if (first == last) return 0;
   double worst = 0;
   const auto compare = [&](int component, std::size_t i, double sum) {
-    const double typical = expected.typicalSize(component, first, last);
-    const long double value = expected.value[i * static_cast<std::size_t>(expected.nOut) +
-                                             static_cast<std::size_t>(component)];
+    const std::size_t k =
+        i * static_cast<std::size_t>(expected.nOut) + static_cast<std::size_t>(component);
+    const long double value = expected.value[k];
+    double typical = expected.typicalSize(component, first, last);
+    if (measure == Measure::own) typical = std::max(typical, static_cast<double>(expected.size[k]));
     if (!std::isfinite(sum)) worst = std::numeric_limits<double>::infinity();
     if (typical > 0)
       worst = std::max(worst, std::abs(static_cast<double>(sum - value)) / typical);
     else if (sum != 0)
       worst = std::numeric_limits<double>::infinity();
   };
-  Sums<double, Dim>::forEachMember([&](auto tag, auto) {
+  const auto compareField = [&](auto tag, auto) {
     constexpr FieldInfo info = infoOf(tag);
     if (!writes.has(tag)) return;
     const int offset = offsetOf<Dim>(writes, tag);
@@ -160,7 +203,9 @@ double worstDeviation(const Engine<Dim>& engine, FieldSet writes, const Particle
       else
         compare(offset, i, sums[i]);
     }
-  });
+  };
+  Sums<double, Dim>::forEachMember(compareField);
+  Exchange<double, Dim>::forEachMember(compareField);
   return worst;
 }
 

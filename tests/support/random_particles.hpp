@@ -24,9 +24,8 @@ Box<Dim> unitBox(bool periodic) {
 template <int Dim>
 ParticleSet<Dim> randomParticles(const Box<Dim>& box, std::size_t nFluid, std::size_t nWalls,
                                  unsigned seed = 1) {
-  FieldSet fields{field::position,    field::velocity,     field::mass,
-                  field::density,     field::pressure,     field::id,
-                  field::densityRate, field::acceleration, field::velocityChange};
+  FieldSet fields{field::position, field::velocity, field::mass,
+                  field::density,  field::pressure, field::id};
   if (nWalls > 0) fields |= {field::wall, field::normal, field::wallDistance};
   ParticleSet<Dim> particles(fields, nFluid, nWalls);
   std::mt19937_64 generator(seed);

@@ -47,7 +47,8 @@ template <int Dim>
 struct Sample {
   Box<Dim> domain;
   std::vector<Vec<Dim>> positions;
-  Clusters<Dim> clusters;
+  std::vector<double> reach;  // of each particle
+  Clusters<Dim> clusters = {};
   std::vector<ClusterBox<Dim>> boxes = {};
 };
 
@@ -58,11 +59,14 @@ void placeClusters(Sample<Dim>& sample, std::size_t nFluid) {
   sample.clusters.append(std::span(ends).first(1), true);
   sample.clusters.append(std::span(ends).last(1), false);
   sample.boxes.resize(sample.clusters.nClusters);
-  sample.clusters.place(sample.positions, sample.domain, sample.boxes);
+  sample.clusters.place(
+      sample.positions, sample.domain, [&](std::size_t i) { return sample.reach[i]; },
+      sample.boxes);
 }
 
 template <int Dim>
-Sample<Dim> sampleOf(const Box<Dim>& domain, std::size_t nFluid, std::size_t nWalls) {
+Sample<Dim> sampleOf(const Box<Dim>& domain, std::size_t nFluid, std::size_t nWalls,
+                     double radius) {
   auto particles = test::randomParticles<Dim>(domain, nFluid, nWalls);
   // Sorting changes nothing about what is right, only how many tiles there are.
   Engine<Dim> engine(domain, {1e-3, 0.2, false, Precision::doubled});
@@ -70,6 +74,7 @@ Sample<Dim> sampleOf(const Box<Dim>& domain, std::size_t nFluid, std::size_t nWa
   Sample<Dim> sample{domain, {}, {}};
   const auto x = particles[field::position];
   sample.positions.assign(x.begin(), x.end());
+  sample.reach.assign(x.size(), radius);
   placeClusters(sample, nFluid);
   return sample;
 }
@@ -120,10 +125,10 @@ Gifts<Dim> giftsOf(const TileList<Dim>& list, const Sample<Dim>& sample, bool wa
   return gifts;
 }
 
-/// Every pair closer than `radius`, by search of all images of all particles.
+/// Every pair closer than the larger reach of the two, by search of all images of all particles.
 template <int Dim>
 Gifts<Dim> expectedGifts(const Sample<Dim>& sample, std::span<const Vec<Dim>> positions,
-                         double radius, bool wallsReceive) {
+                         bool wallsReceive) {
   Gifts<Dim> gifts;
   const std::size_t nReceivers = wallsReceive ? positions.size() : sample.clusters.nFluid;
   int nImages = 1;
@@ -140,7 +145,7 @@ Gifts<Dim> expectedGifts(const Sample<Dim>& sample, std::span<const Vec<Dim>> po
           gift.image[static_cast<std::size_t>(a)] = n;
           shift[a] = n * (sample.domain.upper[a] - sample.domain.lower[a]);
         }
-        if (normSquared(positions[j] + shift - positions[i]) < radius * radius)
+        if (norm(positions[j] + shift - positions[i]) < std::max(sample.reach[i], sample.reach[j]))
           gifts.push_back(gift);
       }
   std::ranges::sort(gifts);
@@ -154,17 +159,22 @@ void expectOnce(const Gifts<Dim>& gifts, const Gifts<Dim>& expected) {
 }
 
 template <int Dim>
-void expectComplete(const Box<Dim>& domain, std::size_t nFluid, std::size_t nWalls, double radius) {
-  const Sample<Dim> sample = sampleOf<Dim>(domain, nFluid, nWalls);
+void expectComplete(const Sample<Dim>& sample) {
   for (const bool wallsReceive : {false, true}) {
     SCOPED_TRACE(testing::Message()
-                 << nFluid << " fluid, " << nWalls << " wall particles, radius " << radius
-                 << ", periodic " << domain.anyPeriodic() << ", walls receive " << wallsReceive);
+                 << sample.clusters.nFluid << " fluid of " << sample.positions.size()
+                 << " particles, reach of the first " << sample.reach.front() << ", periodic "
+                 << sample.domain.anyPeriodic() << ", walls receive " << wallsReceive);
     TileList<Dim> list;
-    list.build(sample.positions, sample.clusters, domain, radius, 1, wallsReceive);
+    list.build(sample.positions, sample.clusters, sample.domain, 1, wallsReceive);
     expectOnce(giftsOf(list, sample, wallsReceive, false),
-               expectedGifts<Dim>(sample, sample.positions, radius, wallsReceive));
+               expectedGifts<Dim>(sample, sample.positions, wallsReceive));
   }
+}
+
+template <int Dim>
+void expectComplete(const Box<Dim>& domain, std::size_t nFluid, std::size_t nWalls, double radius) {
+  expectComplete(sampleOf<Dim>(domain, nFluid, nWalls, radius));
 }
 
 TYPED_TEST(TileListTest, HoldsEveryPairOnce) {
@@ -172,10 +182,12 @@ TYPED_TEST(TileListTest, HoldsEveryPairOnce) {
   for (const bool periodic : {false, true}) {
     const Box<Dim> domain = test::unitBox<Dim>(periodic);
     for (const std::size_t nFluid : {0, 1, 2, 9, 300})
-      for (const std::size_t nWalls : {0, 1, 2, 9, 300})
+      for (const std::size_t nWalls : {0, 1, 2, 9, 300}) {
+        if (nFluid + nWalls == 0) continue;
         // 0.6: a box of two supports, each with a fifth of it as skin.
         for (const double radius : {0.6, 0.3, 0.1})
           expectComplete<Dim>(domain, nFluid, nWalls, radius);
+      }
   }
 }
 
@@ -184,6 +196,19 @@ TYPED_TEST(TileListTest, HoldsEveryPairOnceInManyChunks) {
   constexpr int Dim = TypeParam::value;
   for (const bool periodic : {false, true})
     expectComplete<Dim>(test::unitBox<Dim>(periodic), 1500, 700, Dim == 1 ? 0.02 : 0.1);
+}
+
+/// Reaches of 1 : 100, neighbours' as different as those far apart.
+TYPED_TEST(TileListTest, HoldsEveryPairOnceWithAnyReaches) {
+  constexpr int Dim = TypeParam::value;
+  for (const bool periodic : {false, true}) {
+    Sample<Dim> sample = sampleOf<Dim>(test::unitBox<Dim>(periodic), 1200, 300, 0);
+    std::mt19937_64 generator(7);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (double& reach : sample.reach) reach = 0.6 * std::pow(0.01, uniform(generator));
+    placeClusters(sample, sample.clusters.nFluid);
+    expectComplete(sample);
+  }
 }
 
 TYPED_TEST(TileListTest, HoldsEveryPairOnceWhenOneAxisIsPeriodic) {
@@ -220,6 +245,7 @@ TYPED_TEST(TileListTest, NearTilesHoldEveryPairInTheSupportWhileParticlesMove) {
           const auto x = particles[field::position];
           if (engine.update(particles)) {
             sample.positions.assign(x.begin(), x.end());
+            sample.reach.assign(x.size(), support);
             placeClusters(sample, particles.nFluid());
           }
           // Images as the clusters of the list have them.
@@ -230,7 +256,7 @@ TYPED_TEST(TileListTest, NearTilesHoldEveryPairInTheSupportWhileParticlesMove) {
           for (std::size_t i = 0; i < present.size(); ++i)
             present[i] = sample.positions[i] + periodicity.nearestImage(x[i] - sample.positions[i]);
           expectOnce(giftsOf(engine.tiles(), sample, true, true),
-                     expectedGifts<Dim>(sample, present, support, true));
+                     expectedGifts<Dim>(sample, present, true));
           const double distance = 0.02 * support;
           for (Vec<Dim>& position : particles[field::position])
             for (int a = 0; a < Dim; ++a)
@@ -244,12 +270,12 @@ TYPED_TEST(TileListTest, NearTilesHoldEveryPairInTheSupportWhileParticlesMove) {
 
 TYPED_TEST(TileListTest, IsTheSameForAnyNumberOfThreads) {
   constexpr int Dim = TypeParam::value;
-  const Sample<Dim> sample = sampleOf<Dim>(test::unitBox<Dim>(true), 5000, 2000);
+  const Sample<Dim> sample = sampleOf<Dim>(test::unitBox<Dim>(true), 5000, 2000, 0.1);
   std::vector<std::vector<std::uint32_t>> lists;
   for (const int nThreads : {1, 2, 3}) {
     omp_set_num_threads(nThreads);
     TileList<Dim> list;
-    list.build(sample.positions, sample.clusters, sample.domain, 0.1, 1, true);
+    list.build(sample.positions, sample.clusters, sample.domain, 1, true);
     std::vector<std::uint32_t> all;
     for (const TileChunk<Dim>& chunk : list.chunks()) {
       for (const auto tile : chunk.tiles) {

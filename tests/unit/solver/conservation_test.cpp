@@ -73,9 +73,9 @@ TYPED_TEST(ConservationTest, MomentumAndAngularMomentumToRoundOff) {
       for (const bool viscous : {false, true})
         for (const bool colliding : {false, true})
           for (const bool periodic : {false, true})
-            largest = std::max(
-                largest, expectConserved<TypeParam::value>(
-                             settingsWith(precision, density, viscous, colliding), periodic));
+            largest = std::max(largest,
+                               expectConserved<TypeParam::value>(
+                                   settingsWith(precision, density, viscous, colliding), periodic));
     std::cout << "  " << precision << ": largest change " << largest << " m c\n";
   }
 }
