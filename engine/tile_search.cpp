@@ -35,25 +35,68 @@ template <class Value>
 void copyWithRoom(const std::vector<Value>& from, std::vector<Value>& to) {
   if (to.capacity() < from.size()) {
     to = {};
-    to.reserve(from.size() + from.size() / 4 + 256);
+    to.reserve(from.size() + from.size() / 8 + 32);
   }
   to.assign(from.begin(), from.end());
 }
 
-template <int Dim>
-BoxRows<Dim> rowsOf(const std::array<std::vector<float>, Dim>& centers,
-                    const std::array<std::vector<float>, Dim>& halves,
-                    const std::vector<float>& reaches) {
-  BoxRows<Dim> rows;
-  for (std::size_t a = 0; a < Dim; ++a) {
-    rows.center[a] = centers[a].data();
-    rows.half[a] = halves[a].data();
-  }
-  rows.reach = reaches.data();
-  return rows;
+/// Room for n values and some more, so that only the first searches allocate.
+template <class Value>
+void keepRoom(std::vector<Value>& values, std::size_t n) {
+  if (values.capacity() < n + n / 8) values.reserve(3 * n);
 }
 
 }  // namespace
+
+template <int Dim>
+void BoxArrays<Dim>::resize(std::size_t n) {
+  const auto grow = [n](std::vector<float>& values) {
+    keepRoom(values, n);
+    values.resize(n);
+  };
+  for (std::size_t a = 0; a < Dim; ++a) {
+    grow(center[a]);
+    grow(half[a]);
+  }
+  grow(reach);
+}
+
+template <int Dim>
+void BoxArrays<Dim>::set(std::size_t k, const FloatBox<Dim>& box) {
+  for (std::size_t a = 0; a < Dim; ++a) {
+    center[a][k] = box.center.components[a];
+    half[a][k] = box.half.components[a];
+  }
+  reach[k] = box.reach;
+}
+
+template <int Dim>
+FloatBox<Dim> BoxArrays<Dim>::at(std::size_t k) const {
+  FloatBox<Dim> box;
+  for (std::size_t a = 0; a < Dim; ++a) {
+    box.center.components[a] = center[a][k];
+    box.half.components[a] = half[a][k];
+  }
+  box.reach = reach[k];
+  return box;
+}
+
+template <int Dim>
+void BoxArrays<Dim>::pad(std::size_t k) {
+  const FloatBox<Dim> far{Vec<Dim, float>::filled(farAway), {}, 0};
+  for (std::size_t last = k + boxPadding; k < last; ++k) set(k, far);
+}
+
+template <int Dim>
+BoxRows<Dim> BoxArrays<Dim>::rows() const {
+  BoxRows<Dim> rows;
+  for (std::size_t a = 0; a < Dim; ++a) {
+    rows.center[a] = center[a].data();
+    rows.half[a] = half[a].data();
+  }
+  rows.reach = reach.data();
+  return rows;
+}
 
 template <int Dim>
 bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Dim>& clusters,
@@ -74,16 +117,7 @@ bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Di
       if (isShifted || group.first != firstOwn) addNear(group, shift);
     });
   }
-  for (std::size_t a = 0; a < Dim; ++a) {
-    centers_[a].insert(centers_[a].end(), boxPadding, farAway);
-    halves_[a].insert(halves_[a].end(), boxPadding, 0.0f);
-    nearCenters_[a].resize(centers_[a].size());
-    nearHalves_[a].resize(centers_[a].size());
-  }
-  reaches_.insert(reaches_.end(), boxPadding, 0.0f);
-  nearReaches_.resize(reaches_.size());
-  nearCluster_.resize(candidates_.size() + boxPadding);
-  nearHalf_.resize(candidates_.size() + boxPadding);
+  finishBoxes();
   for (std::size_t c = 0; c < nOwn; ++c) {
     const Candidate& own = candidates_[c];
     found_.locals.push_back({perUnit_ * own.origin, own.cluster, own.cluster});
@@ -94,32 +128,52 @@ bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Di
   copyWithRoom(found_.tiles, chunk.tiles);
   copyWithRoom(found_.locals, chunk.locals);
   copyWithRoom(found_.halo, chunk.halo);
-  keepRoom();
+  keepRoomForMore();
   return chunk.locals.size() <= maxLocals;
 }
 
-/// Work space for three times as much, so that only the first searches allocate.
 template <int Dim>
-void TileSearch<Dim>::keepRoom() {
-  const auto keep = [](auto& values) {
-    if (values.capacity() < values.size() + values.size() / 8) values.reserve(3 * values.size());
-  };
+void TileSearch<Dim>::keepRoomForMore() {
+  const auto keep = [](auto& values) { keepRoom(values, values.size()); };
   keep(candidates_);
   keep(points_);
-  keep(nearCluster_);
-  keep(nearHalf_);
-  keep(reaches_);
-  keep(nearReaches_);
   keep(found_.counts);
   keep(found_.tiles);
   keep(found_.locals);
   keep(found_.halo);
-  for (std::size_t a = 0; a < Dim; ++a) {
-    keep(centers_[a]);
-    keep(halves_[a]);
-    keep(nearCenters_[a]);
-    keep(nearHalves_[a]);
+}
+
+/// The boxes of all candidates, and of blocks of them.
+template <int Dim>
+void TileSearch<Dim>::finishBoxes() {
+  const std::size_t n = candidates_.size(), nBlocks = (n + blockSize - 1) / blockSize;
+  boxes_.resize(n + boxPadding);
+  boxes_.pad(n);
+  blocks_.resize(nBlocks + boxPadding);
+  blocks_.pad(nBlocks);
+  for (std::size_t b = 0; b < nBlocks; ++b) {
+    FloatBox<Dim> block;
+    const std::size_t first = b * blockSize, last = std::min(n, first + blockSize);
+    for (std::size_t a = 0; a < Dim; ++a) {
+      float lower = farAway, upper = -farAway;
+      for (std::size_t k = first; k < last; ++k) {
+        lower = std::min(lower, boxes_.center[a][k] - boxes_.half[a][k]);
+        upper = std::max(upper, boxes_.center[a][k] + boxes_.half[a][k]);
+      }
+      block.center.components[a] = 0.5f * (lower + upper);
+      block.half.components[a] = 0.5f * (1 + 1e-6f) * (upper - lower);
+    }
+    block.reach = *std::max_element(boxes_.reach.begin() + static_cast<std::ptrdiff_t>(first),
+                                    boxes_.reach.begin() + static_cast<std::ptrdiff_t>(last));
+    blocks_.set(b, block);
   }
+  const auto grow = [](std::vector<std::uint32_t>& places, std::size_t size) {
+    keepRoom(places, size);
+    places.resize(size);
+  };
+  grow(nearBlock_, nBlocks + boxPadding);
+  grow(nearCluster_, nBlocks * blockSize + boxPadding);
+  grow(nearHalf_, nBlocks * blockSize + boxPadding);
 }
 
 template <int Dim>
@@ -132,11 +186,6 @@ void TileSearch<Dim>::begin(const TileChunk<Dim>& chunk) {
   found_.halo.clear();
   candidates_.clear();
   points_.clear();
-  reaches_.clear();
-  for (std::size_t a = 0; a < Dim; ++a) {
-    centers_[a].clear();
-    halves_[a].clear();
-  }
   box_ = Box<Dim>::nothing();
   reach_ = 0;
   for (std::size_t c = chunk.firstCluster; c < chunk.firstCluster + chunk.nClusters; ++c) {
@@ -173,15 +222,17 @@ template <int Dim>
 void TileSearch<Dim>::addCandidate(std::uint32_t cluster, const Vec<Dim>& shift) {
   const Vec<Dim> origin = clusters_->origin[cluster] + shift - origin_;
   candidates_.push_back({origin, cluster, notLocal});
-  const ClusterBox<Dim>& box = clusters_->boxes[cluster];
-  reaches_.push_back(box.reach + static_cast<float>(rounding_));
+  const ClusterBox<Dim>& cornered = clusters_->boxes[cluster];
+  FloatBox<Dim> box;
   for (int a = 0; a < Dim; ++a) {
-    const auto axis = static_cast<std::size_t>(a);
-    const double lower = static_cast<double>(box.lower[a]),
-                 upper = static_cast<double>(box.upper[a]);
-    centers_[axis].push_back(static_cast<float>(origin[a] + 0.5 * (lower + upper)));
-    halves_[axis].push_back(static_cast<float>(0.5 * (1 + 1e-6) * (upper - lower)));
+    const double lower = static_cast<double>(cornered.lower[a]),
+                 upper = static_cast<double>(cornered.upper[a]);
+    box.center[a] = static_cast<float>(perUnit_ * (origin[a] + 0.5 * (lower + upper)));
+    box.half[a] = static_cast<float>(perUnit_ * 0.5 * (1 + 1e-6) * (upper - lower));
   }
+  box.reach = static_cast<float>(perUnit_ * (static_cast<double>(cornered.reach) + rounding_));
+  if (boxes_.size() < candidates_.size()) boxes_.resize(2 * candidates_.size());
+  boxes_.set(candidates_.size() - 1, box);
   // Where there are fewer than eight particles, the last one again.
   const std::size_t first = clusters_->firstOf(cluster), end = clusters_->endOf(cluster);
   const Vec<Dim> toChunk = shift - origin_;
@@ -190,7 +241,8 @@ void TileSearch<Dim>::addCandidate(std::uint32_t cluster, const Vec<Dim>& shift)
   float* x = points_.data() + before;
   for (int a = 0; a < Dim; ++a)
     for (std::size_t k = 0; k < clusterSize; ++k)
-      *x++ = static_cast<float>(positions_[std::min(first + k, end - 1)][a] + toChunk[a]);
+      *x++ =
+          static_cast<float>(perUnit_ * (positions_[std::min(first + k, end - 1)][a] + toChunk[a]));
 }
 
 /// The box around particles [first, last) of a candidate.
@@ -198,7 +250,7 @@ template <int Dim>
 FloatBox<Dim> TileSearch<Dim>::boxOfPoints(std::size_t candidate, std::size_t first,
                                            std::size_t last) const {
   FloatBox<Dim> box;
-  box.reach = reaches_[candidate];
+  box.reach = boxes_.reach[candidate];
   const float* x = points_.data() + candidate * clusterSize * Dim;
   for (int a = 0; a < Dim; ++a, x += clusterSize) {
     const auto [lower, upper] = std::minmax_element(x + first, x + last);
@@ -208,33 +260,41 @@ FloatBox<Dim> TileSearch<Dim>::boxOfPoints(std::size_t candidate, std::size_t fi
   return box;
 }
 
+/// Notes the candidates near one of the chunk's clusters, and their boxes side by side.
+template <int Dim>
+std::size_t TileSearch<Dim>::findNear(std::size_t own) {
+  const auto [select, selectInBlocks] = withInstructionSet(instructionSet(), []<class Isa>(Isa) {
+    return std::pair(&selectBoxes<Isa, Dim>, &plenum::selectInBlocks<Isa, Dim>);
+  });
+  const FloatBox<Dim> box = boxOfPoints(own, 0, clusterSize);
+  const std::size_t nBlocks =
+      select(blocks_.rows(), blocks_.size() - boxPadding, box, nearBlock_.data());
+  // A tile belongs to the cluster with the smaller number.
+  const auto blocks = std::span<const std::uint32_t>(nearBlock_).first(nBlocks);
+  const auto firstBlock = std::ranges::lower_bound(blocks, own / blockSize);
+  const std::size_t n =
+      selectInBlocks(boxes_.rows(), std::to_address(firstBlock),
+                     static_cast<std::size_t>(blocks.end() - firstBlock), box, nearCluster_.data());
+  nearBoxes_.resize(n + boxPadding);
+  for (std::size_t k = 0; k < n; ++k) nearBoxes_.set(k, boxes_.at(nearCluster_[k]));
+  nearBoxes_.pad(n);
+  return n;
+}
+
 /// The tiles of both halves of one of the chunk's clusters.
 template <int Dim>
 void TileSearch<Dim>::findTilesOf(std::size_t own, TileChunk<Dim>& chunk) {
-  const auto select = withInstructionSet(instructionSet(),
-                                         [](auto isa) { return &selectBoxes<decltype(isa), Dim>; });
-  const auto selectNear = withInstructionSet(
-      instructionSet(), [](auto isa) { return &selectClusters<decltype(isa), Dim>; });
-
-  // First those near the whole cluster; their boxes side by side.
-  const std::size_t n = candidates_.size();
-  const std::size_t nNear = select(rowsOf<Dim>(centers_, halves_, reaches_), own, n,
-                                   boxOfPoints(own, 0, clusterSize), nearCluster_.data());
-  for (std::size_t k = 0; k < nNear; ++k) nearReaches_[k] = reaches_[nearCluster_[k]];
-  for (std::size_t a = 0; a < Dim; ++a) {
-    for (std::size_t k = 0; k < nNear; ++k) {
-      nearCenters_[a][k] = centers_[a][nearCluster_[k]];
-      nearHalves_[a][k] = halves_[a][nearCluster_[k]];
-    }
-  }
+  const auto [select, selectClusters] = withInstructionSet(instructionSet(), []<class Isa>(Isa) {
+    return std::pair(&selectBoxes<Isa, Dim>, &plenum::selectClusters<Isa, Dim>);
+  });
+  const std::size_t nNear = findNear(own);
   const std::uint32_t cluster = candidates_[own].cluster;
   for (std::size_t part = 0; part < 2; ++part) {
     const FloatBox<Dim> box =
         boxOfPoints(own, part * clusterSize / 2, (part + 1) * clusterSize / 2);
-    std::size_t count = select(rowsOf<Dim>(nearCenters_, nearHalves_, nearReaches_), 0, nNear, box,
-                               nearHalf_.data());
-    count = selectNear(points_.data(), reaches_.data(), nearCluster_.data(), nearHalf_.data(),
-                       count, box, nearHalf_.data());
+    std::size_t count = select(nearBoxes_.rows(), nNear, box, nearHalf_.data());
+    count = selectClusters(points_.data(), boxes_.reach.data(), nearCluster_.data(),
+                           nearHalf_.data(), count, box, nearHalf_.data());
     // Tiles of one kind are consecutive: candidates of fluids come before those of walls, and only
     // the cluster itself and its images must be picked out.
     std::array<std::size_t, 3> counts{};

@@ -35,6 +35,21 @@ struct ClusterGroup {
   double reach = 0;  ///< the largest of its clusters [m]
 };
 
+/// Boxes as arrays, as the loops of box_selection want them.
+template <int Dim>
+struct BoxArrays {
+  std::array<std::vector<float>, Dim> center, half;
+  std::vector<float> reach;
+
+  void resize(std::size_t n);
+  std::size_t size() const { return reach.size(); }
+  void set(std::size_t k, const FloatBox<Dim>& box);
+  FloatBox<Dim> at(std::size_t k) const;
+  /// Sets the boxes from k to k + boxPadding to some that are far from all others.
+  void pad(std::size_t k);
+  BoxRows<Dim> rows() const;
+};
+
 /// The search for the tiles of one chunk, from the large to the small: which groups of clusters can
 /// be near the chunk, which of their clusters, which of these near one cluster of the chunk, and
 /// which have a particle near half of it.
@@ -55,11 +70,13 @@ class TileSearch {
   };
   static constexpr std::uint32_t notLocal = std::numeric_limits<std::uint32_t>::max();
 
-  void keepRoom();
+  void keepRoomForMore();
   void begin(const TileChunk<Dim>& chunk);
+  void finishBoxes();
   void addNear(const ClusterGroup<Dim>& group, const Vec<Dim>& shift);
   bool isNear(const Box<Dim>& box, double reach, const Vec<Dim>& shift) const;
   void addCandidate(std::uint32_t cluster, const Vec<Dim>& shift);
+  std::size_t findNear(std::size_t own);
   FloatBox<Dim> boxOfPoints(std::size_t candidate, std::size_t first, std::size_t last) const;
   void findTilesOf(std::size_t own, TileChunk<Dim>& chunk);
   std::uint32_t localOf(Candidate& candidate, TileChunk<Dim>& chunk);
@@ -74,12 +91,10 @@ class TileSearch {
   double rounding_ = 0;  // of the search, which is in float [m]
   // Clusters that may be in a tile: the chunk's own, their images, those of other fluids, of walls.
   std::vector<Candidate> candidates_;
-  std::array<std::vector<float>, Dim> centers_, halves_;  // their boxes, relative to the chunk
-  std::vector<float> reaches_;
-  std::vector<float> points_;                                     // [candidate][axis][particle]
-  std::array<std::vector<float>, Dim> nearCenters_, nearHalves_;  // of those near one cluster
-  std::vector<float> nearReaches_;
-  std::vector<std::uint32_t> nearCluster_, nearHalf_;
+  BoxArrays<Dim> boxes_, blocks_;  // of the candidates, of blocks of them, relative to the chunk
+  std::vector<float> points_;      // [candidate][axis][particle]
+  BoxArrays<Dim> nearBoxes_;       // of those near one cluster
+  std::vector<std::uint32_t> nearBlock_, nearCluster_, nearHalf_;
   TileChunk<Dim> found_;
 };
 

@@ -19,8 +19,9 @@ struct Tait {
   double pressure(double density) const {
     const double stiffness = soundSpeed * soundSpeed * referenceDensity / exponent;
     const double ratio = density / referenceDensity;
+    if (exponent == 1) return backgroundPressure + stiffness * (ratio - 1);
     return backgroundPressure +
-           stiffness * ((exponent == 1 ? ratio : std::pow(ratio, exponent)) - 1);
+           stiffness * ((exponent == 7 ? seventhPower(ratio) : std::pow(ratio, exponent)) - 1);
   }
 
   /// Specific energy of compression from rho0, the integral of p/rho^2 d rho   [J/kg].
@@ -31,6 +32,13 @@ struct Tait {
     const double constantPart = atReference / referenceDensity * (1 - 1 / ratio);
     if (exponent == 1) return constantPart + c2 * std::log(ratio);
     return constantPart + c2 / (exponent * (exponent - 1)) * (std::pow(ratio, exponent - 1) - 1);
+  }
+
+ private:
+  /// Water's exponent, a tenth of what std::pow costs.
+  static double seventhPower(double x) {
+    const double cube = x * x * x;
+    return cube * cube * x;
   }
 };
 

@@ -30,6 +30,12 @@ std::vector<Tait> wallStates(const std::vector<Wall>& walls, const SolverSetting
   return rows;
 }
 
+double squareOf(double x) { return x * x; }
+template <int Dim>
+double squareOf(const Vec<Dim>& v) {
+  return normSquared(v);
+}
+
 constexpr auto isFiniteVector = [](const auto& v) { return std::isfinite(normSquared(v)); };
 
 /// The largest |vector(i)|, i < n.
@@ -156,23 +162,30 @@ void Simulation<Dim>::updatePressure() {
 
 /// values[i] = next(i, values[i], sum of i) for all fluids, or for walls too. If some result is not
 /// sound, takes all back by `previous` (to rounding) and throws RunError that names the first one.
+/// Returns the largest |change|.
 template <int Dim>
 template <class Value, class Sums, class Next, class Previous, class IsSound>
-void Simulation<Dim>::advance(std::span<Value> values, const Sums& sums, bool wallsToo,
-                              const char* what, Next&& next, Previous&& previous,
-                              IsSound&& isSound) {
+double Simulation<Dim>::advance(std::span<Value> values, const Sums& sums, bool wallsToo,
+                                const char* what, Next&& next, Previous&& previous,
+                                IsSound&& isSound) {
   const std::size_t nClusters = sums.nClusters(wallsToo), none = values.size();
   std::size_t bad = none;
-#pragma omp parallel for schedule(static) reduction(min : bad) if (none >= worthThreads)
+  double largest = 0;
+#pragma omp parallel for schedule(static) reduction(min    \
+                                                    : bad) \
+    reduction(max                                          \
+              : largest) if (none >= worthThreads)
   for (std::size_t c = 0; c < nClusters; ++c)
     sums.forEach(c, [&](std::size_t i, const auto& sum) {
       const Value value = next(i, values[i], sum);
-      if (isSound(value))
+      if (isSound(value)) {
+        largest = std::max(largest, squareOf(value - values[i]));
         values[i] = value;
-      else
+      } else {
         bad = std::min(bad, i);
+      }
     });
-  if (bad == none) return;
+  if (bad == none) return std::sqrt(largest);
   for (std::size_t c = 0; c < nClusters; ++c)
     sums.forEach(c, [&](std::size_t i, const auto& sum) {
       const Value value = previous(i, values[i], sum);
@@ -200,7 +213,7 @@ void Simulation<Dim>::kick(double dt) {
     const auto acceleration = [&](std::size_t i, const Vec<Dim>& force) {
       return (1 / mass[i]) * force + gravity_;
     };
-    advance(
+    const double largestChange = advance(
         velocity, forces, false, "the force is not finite",
         [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& force) {
           return v + dt * acceleration(i, force);
@@ -209,16 +222,7 @@ void Simulation<Dim>::kick(double dt) {
           return v - dt * acceleration(i, force);
         },
         isFiniteVector);
-    double largest = 0;
-    const std::size_t nClusters = forces.nClusters(false);
-#pragma omp parallel for schedule(static) \
-    reduction(max                         \
-              : largest) if (velocity.size() >= worthThreads)
-    for (std::size_t c = 0; c < nClusters; ++c)
-      forces.forEach(c, [&](std::size_t i, const Vec<Dim>& force) {
-        largest = std::max(largest, normSquared(acceleration(i, force)));
-      });
-    largestAcceleration_ = std::sqrt(largest);
+    largestAcceleration_ = largestChange / dt;
   });
 }
 

@@ -65,8 +65,8 @@ class Simulation {
   void drift(double dt);
 
   template <class Value, class Sums, class Next, class Previous, class IsSound>
-  void advance(std::span<Value> values, const Sums& sums, bool wallsToo, const char* what,
-               Next&& next, Previous&& previous, IsSound&& isSound);
+  double advance(std::span<Value> values, const Sums& sums, bool wallsToo, const char* what,
+                 Next&& next, Previous&& previous, IsSound&& isSound);
   [[noreturn]] void fail(const char* what, std::size_t particle) const;
 
   SolverSettings settings_;
