@@ -4,6 +4,7 @@
 #include "engine/instruction_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plenum {
 
@@ -89,13 +90,16 @@ bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Di
     found_.locals.push_back({perUnit_ * own.origin, own.cluster, own.cluster});
     candidates_[c].local = static_cast<std::uint32_t>(c);
   }
-  for (std::size_t c = 0; c < nOwn; ++c) findTilesOf(c, found_);
+  // What is found beyond the limit would be thrown away, and could be far more than fits memory.
+  for (std::size_t c = 0; c < nOwn && found_.locals.size() <= maxLocals; ++c)
+    findTilesOf(c, found_);
+  if (found_.locals.size() > maxLocals) return false;
   copyWithRoom(found_.counts, chunk.counts);
   copyWithRoom(found_.tiles, chunk.tiles);
   copyWithRoom(found_.locals, chunk.locals);
   copyWithRoom(found_.halo, chunk.halo);
   keepRoom();
-  return chunk.locals.size() <= maxLocals;
+  return true;
 }
 
 /// Work space for three times as much, so that only the first searches allocate.
@@ -137,21 +141,28 @@ void TileSearch<Dim>::begin(const TileChunk<Dim>& chunk) {
     centers_[a].clear();
     halves_[a].clear();
   }
+  const std::span own = std::span(clusters_->origin).subspan(chunk.firstCluster, chunk.nClusters);
   box_ = Box<Dim>::nothing();
   reach_ = 0;
   for (std::size_t c = chunk.firstCluster; c < chunk.firstCluster + chunk.nClusters; ++c) {
     box_.extend(boxOf(*clusters_, c));
     reach_ = std::max(reach_, static_cast<double>(clusters_->boxes[c].reach));
   }
-  origin_ = box_.center();
-  double extent = reach_;
-  for (int a = 0; a < Dim; ++a) extent += box_.upper[a] - box_.lower[a];
-  rounding_ = 1e-6 * extent;
+  // The median, not the middle: a stray must not take the digits of the others.
+  for (int a = 0; a < Dim; ++a) {
+    coordinates_.clear();
+    for (const Vec<Dim>& origin : own) coordinates_.push_back(origin[a]);
+    const auto middle = coordinates_.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
+    std::ranges::nth_element(coordinates_, middle);
+    origin_[a] = *middle;
+  }
 }
 
 template <int Dim>
 void TileSearch<Dim>::addNear(const ClusterGroup<Dim>& group, const Vec<Dim>& shift) {
+  ++nTests_;
   if (!isNear(group.box, group.reach, shift)) return;
+  nTests_ += group.last - group.first;
   for (std::uint32_t c = group.first; c < group.last; ++c)
     if (isNear(boxOf(*clusters_, c), static_cast<double>(clusters_->boxes[c].reach), shift))
       addCandidate(c, shift);
@@ -165,7 +176,7 @@ bool TileSearch<Dim>::isNear(const Box<Dim>& box, double reach, const Vec<Dim>& 
         {box_.lower[a] - box.upper[a] - shift[a], box.lower[a] + shift[a] - box_.upper[a], 0.0});
     distanceSquared += gap * gap;
   }
-  const double limit = std::max(reach, reach_) + rounding_;
+  const double limit = std::max(reach, reach_);
   return distanceSquared < limit * limit;
 }
 
@@ -174,14 +185,17 @@ void TileSearch<Dim>::addCandidate(std::uint32_t cluster, const Vec<Dim>& shift)
   const Vec<Dim> origin = clusters_->origin[cluster] + shift - origin_;
   candidates_.push_back({origin, cluster, notLocal});
   const ClusterBox<Dim>& box = clusters_->boxes[cluster];
-  reaches_.push_back(box.reach + static_cast<float>(rounding_));
+  // The search rounds to float, by 6e-8 of the coordinates of a cluster and of those that it sees.
+  double size = 0;
   for (int a = 0; a < Dim; ++a) {
     const auto axis = static_cast<std::size_t>(a);
     const double lower = static_cast<double>(box.lower[a]),
                  upper = static_cast<double>(box.upper[a]);
-    centers_[axis].push_back(static_cast<float>(origin[a] + 0.5 * (lower + upper)));
-    halves_[axis].push_back(static_cast<float>(0.5 * (1 + 1e-6) * (upper - lower)));
+    centers_[axis].push_back(static_cast<float>(perUnit_ * (origin[a] + 0.5 * (lower + upper))));
+    halves_[axis].push_back(static_cast<float>(perUnit_ * 0.5 * (1 + 1e-6) * (upper - lower)));
+    size += std::abs(origin[a]) + (upper - lower) + static_cast<double>(box.reach);
   }
+  reaches_.push_back(static_cast<float>(perUnit_ * (static_cast<double>(box.reach) + 1e-6 * size)));
   // Where there are fewer than eight particles, the last one again.
   const std::size_t first = clusters_->firstOf(cluster), end = clusters_->endOf(cluster);
   const Vec<Dim> toChunk = shift - origin_;
@@ -190,7 +204,8 @@ void TileSearch<Dim>::addCandidate(std::uint32_t cluster, const Vec<Dim>& shift)
   float* x = points_.data() + before;
   for (int a = 0; a < Dim; ++a)
     for (std::size_t k = 0; k < clusterSize; ++k)
-      *x++ = static_cast<float>(positions_[std::min(first + k, end - 1)][a] + toChunk[a]);
+      *x++ =
+          static_cast<float>(perUnit_ * (positions_[std::min(first + k, end - 1)][a] + toChunk[a]));
 }
 
 /// The box around particles [first, last) of a candidate.
@@ -227,12 +242,14 @@ void TileSearch<Dim>::findTilesOf(std::size_t own, TileChunk<Dim>& chunk) {
       nearHalves_[a][k] = halves_[a][nearCluster_[k]];
     }
   }
+  nTests_ += n - own + 2 * nNear;
   const std::uint32_t cluster = candidates_[own].cluster;
   for (std::size_t part = 0; part < 2; ++part) {
     const FloatBox<Dim> box =
         boxOfPoints(own, part * clusterSize / 2, (part + 1) * clusterSize / 2);
     std::size_t count = select(rowsOf<Dim>(nearCenters_, nearHalves_, nearReaches_), 0, nNear, box,
                                nearHalf_.data());
+    nTests_ += count;
     count = selectNear(points_.data(), reaches_.data(), nearCluster_.data(), nearHalf_.data(),
                        count, box, nearHalf_.data());
     // Tiles of one kind are consecutive: candidates of fluids come before those of walls, and only

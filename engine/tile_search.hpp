@@ -47,6 +47,9 @@ class TileSearch {
            std::span<const ClusterGroup<Dim>> groups, const Box<Dim>& domain, double unitLength,
            bool wallsReceive, TileChunk<Dim>& chunk);
 
+  /// Boxes and clusters that all calls have compared: what a search costs.
+  std::size_t nTests() const { return nTests_; }
+
  private:
   struct Candidate {
     Vec<Dim> origin;  // relative to the chunk [m]
@@ -67,20 +70,21 @@ class TileSearch {
   const Clusters<Dim>* clusters_ = nullptr;
   std::span<const Vec<Dim>> positions_;
   bool wallsReceive_ = false;
-  double perUnit_ = 1;   // units of length in a metre
-  Box<Dim> box_;         // of the chunk
-  Vec<Dim> origin_;      // its centre
-  double reach_ = 0;     // the largest of its clusters [m]
-  double rounding_ = 0;  // of the search, which is in float [m]
+  double perUnit_ = 1;  // units of length in a metre
+  Box<Dim> box_;        // of the chunk
+  Vec<Dim> origin_;     // what its positions are relative to
+  double reach_ = 0;    // the largest of its clusters [m]
+  std::vector<double> coordinates_;
   // Clusters that may be in a tile: the chunk's own, their images, those of other fluids, of walls.
   std::vector<Candidate> candidates_;
-  std::array<std::vector<float>, Dim> centers_, halves_;  // their boxes, relative to the chunk
-  std::vector<float> reaches_;
-  std::vector<float> points_;                                     // [candidate][axis][particle]
+  // Their boxes, reaches, particles ([candidate][axis][particle]); of the chunk [unit of length].
+  std::array<std::vector<float>, Dim> centers_, halves_;
+  std::vector<float> reaches_, points_;
   std::array<std::vector<float>, Dim> nearCenters_, nearHalves_;  // of those near one cluster
   std::vector<float> nearReaches_;
   std::vector<std::uint32_t> nearCluster_, nearHalf_;
   TileChunk<Dim> found_;
+  std::size_t nTests_ = 0;
 };
 
 extern template class TileSearch<1>;
