@@ -82,8 +82,7 @@ void Engine<Dim>::requireSortable(const ParticleSet<Dim>& particles) const {
   const auto positions = particles[field::position];
   const std::size_t n = positions.size();
   requireIndices(n);
-  // There, coordinates are rounded to a ten-thousandth of the support.
-  const double farthest = 1e12 * largestSupport_;
+  const double farthest = mostSupportsAway * largestSupport_;
   std::size_t bad = n;
 #pragma omp parallel for schedule(static) reduction(min : bad) if (n >= worthThreads)
   for (std::size_t i = 0; i < n; ++i)
