@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The inner loops of the search for tiles: which of many boxes, which of some clusters, are near a
-// box. Plain pointers only, as in tile_work.hpp. Places are relative to a chunk, in float.
+// box. Plain pointers only, as in tile_work.hpp. Places are relative to a chunk, in float and in
+// units of length.
 #pragma once
 
 #include "engine/spatial_order.hpp"

@@ -18,10 +18,12 @@
 
 namespace plenum {
 
-namespace {
-/// Places of particles and of sums are 32-bit numbers, one bit of which marks halos in the search.
-constexpr std::size_t maxParticles = std::size_t{1} << 30;
-}  // namespace
+void requireIndices(std::size_t nParticles) {
+  constexpr std::size_t most = std::size_t{1} << 30;
+  if (nParticles > most)
+    throw RunError(fmt::format(
+        "{} particles: one process computes at most {}; use a larger spacing", nParticles, most));
+}
 
 template <int Dim>
 Engine<Dim>::Engine(const Box<Dim>& domain, const Options& options)
@@ -79,19 +81,19 @@ template <int Dim>
 void Engine<Dim>::requireSortable(const ParticleSet<Dim>& particles) const {
   const auto positions = particles[field::position];
   const std::size_t n = positions.size();
-  if (n > maxParticles)
-    throw RunError(fmt::format("{} particles: one process computes at most {}", n, maxParticles));
+  requireIndices(n);
+  const double farthest = mostSupportsAway * largestSupport_;
   std::size_t bad = n;
 #pragma omp parallel for schedule(static) reduction(min : bad) if (n >= worthThreads)
   for (std::size_t i = 0; i < n; ++i)
-    // So far away that squares of distances are no numbers any more.
-    if (!(normSquared(positions[i]) < 1e200)) bad = std::min(bad, i);
+    if (!(normSquared(positions[i]) < farthest * farthest)) bad = std::min(bad, i);
   if (bad == n) return;
-  throw RunError(fmt::format(
-      "particle {}: its position ({}) is not finite or senselessly far away; look at the last good "
-      "state for what drove it out",
-      particles.has(field::id) ? particles[field::id][bad] : bad,
-      fmt::join(positions[bad].components, ", ")));
+  throw RunError(
+      fmt::format("particle {}: its position ({}) is not finite or further than {:g} m from the "
+                  "origin; look at "
+                  "the last good state for what drove it out",
+                  particles.has(field::id) ? particles[field::id][bad] : bad,
+                  fmt::join(positions[bad].components, ", "), farthest));
 }
 
 template <int Dim>
@@ -99,6 +101,8 @@ void Engine<Dim>::sort(ParticleSet<Dim>& particles) {
   const auto sorting = watch_.lap(Part::sort);
   const auto positions = particles[field::position];
   const std::size_t n = positions.size();
+  forget();  // an update that fails must be tried again
+  if (options_.adaptive) setSupports(particles);
   requireSortable(particles);
   forEachIndex(n, [&](std::size_t i) { positions[i] = domain_.wrap(positions[i]); });
   const std::size_t nFluid = particles.nFluid(), nWalls = n - nFluid;
@@ -145,7 +149,6 @@ void Engine<Dim>::search(const ParticleSet<Dim>& particles) {
   const auto boxes = arena_.take<ClusterBox<Dim>>(clusters_.nClusters);
   const double withSkin = 1 + options_.skin;
   if (options_.adaptive) {
-    setSupports(particles);
     const auto lengths = particles[field::smoothingLength];
     clusters_.place(
         positions, domain_, [&](std::size_t i) { return withSkin * 2 * lengths[i]; }, boxes);
@@ -277,12 +280,14 @@ template <class T>
 void Engine<Dim>::loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& particles) {
   const auto loading = watch_.lap(Part::load);
   numbers.positions.resize(clusters_.nClusters * Dim * clusterSize);
+  // Places without a particle lie where nobody gets: in float, clusters are no wider than `search`
+  // lets them be; in double, not further away than `requireSortable` allows.
   const PositionSource<Dim> source{particles[field::position].data(),
                                    clusters_.origin.data(),
                                    periodicity_.period,
                                    periodicity_.half,
                                    domain_.anyPeriodic(),
-                                   1e4 * largestSupport_,
+                                   (std::is_same_v<T, float> ? 1e4 : 1e16) * largestSupport_,
                                    1 / options_.units.length};
   const auto load = withInstructionSet(
       instructionSet(), [](auto isa) { return &plenum::loadPositions<decltype(isa), T, Dim>; });

@@ -21,6 +21,14 @@ enum class Precision {
   doubled  ///< double
 };
 
+/// Throws RunError if a process cannot number so many particles: places of particles and of sums
+/// are 32-bit numbers, one bit of which marks halos in the search.
+void requireIndices(std::size_t nParticles);
+
+/// Particles may be at most so many supports away from the origin: coordinates are rounded to a
+/// ten-thousandth of the support there.
+inline constexpr double mostSupportsAway = 1e12;
+
 /// The sums of a field in the last pass, cluster by cluster. `T` is what they were computed in.
 template <Rank R, int Dim, class T>
 class SumView {

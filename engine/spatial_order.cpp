@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <random>
 #include <utility>
 
 namespace plenum {
@@ -19,7 +20,7 @@ namespace {
 template <int Dim>
 constexpr std::size_t cellPoints = Dim == 3 ? 4096 : 2048;
 
-constexpr int maxDepth = 12;  // then the points coincide, but for rounding
+constexpr int maxDepth = 24;  // then the points coincide, but for rounding
 
 /// A regular grid over a box, its cells counted in serpentines: consecutive cells share a side.
 template <int Dim>
@@ -86,6 +87,26 @@ Box<Dim> boundsOf(std::span<const Vec<Dim>> points, std::span<const std::uint32_
   return box;
 }
 
+/// The part of the box of a cell that all points lie in but for a few strays: bins as wide as the
+/// way to a stray would not tell the others apart.
+template <int Dim>
+Box<Dim> bulkOf(std::span<const Vec<Dim>> points, std::span<const std::uint32_t> indices,
+                Box<Dim> box) {
+  constexpr std::size_t nSamples = 128, nStrays = 2;  // at each end
+  if (indices.size() < nSamples) return box;
+  for (int a = 0; a < Dim; ++a) {
+    std::minstd_rand generator;  // no regular choice, which rows of a lattice could deceive
+    std::array<double, nSamples> x;
+    for (double& value : x) value = points[indices[generator() % indices.size()]][a];
+    std::ranges::sort(x);
+    const double lower = x[nStrays], upper = x[nSamples - 1 - nStrays];
+    if (lower == upper) continue;
+    box.lower[a] = std::max(box.lower[a], lower - (upper - lower));
+    box.upper[a] = std::min(box.upper[a], upper + (upper - lower));
+  }
+  return box;
+}
+
 }  // namespace
 
 /// Orders the points of a cell by slabs, columns and the last axis.
@@ -116,7 +137,8 @@ void SpatialOrder<Dim>::Packer::pack(std::span<const Vec<Dim>> points,
                                      std::span<std::uint32_t> indices) {
   const std::size_t n = indices.size();
   if (n <= clusterSize) return;
-  const Box<Dim> box = boundsOf<Dim>(points, std::span<const std::uint32_t>(indices));
+  const std::span<const std::uint32_t> cell = indices;
+  const Box<Dim> box = bulkOf<Dim>(points, cell, boundsOf<Dim>(points, cell));
   keys.resize(n);
   // Groups of consecutive places, of equal size on every level: all points, slabs, columns.
   std::size_t groupSize = n;
@@ -130,8 +152,8 @@ void SpatialOrder<Dim>::Packer::pack(std::span<const Vec<Dim>> points,
     const double binsPerLength = length > 0 ? nBins / length : 0;
     for (std::size_t k = 0; k < n; ++k) {
       const auto group = static_cast<std::uint32_t>(k / groupSize);
-      auto bin = static_cast<std::uint32_t>((points[indices[k]][a] - box.lower[a]) * binsPerLength);
-      bin = std::min(bin, nBins - 1);
+      const double place = (points[indices[k]][a] - box.lower[a]) * binsPerLength;
+      auto bin = static_cast<std::uint32_t>(std::clamp(place, 0.0, nBins - 1.0));
       if ((group & 1) != 0) bin = nBins - 1 - bin;  // serpentine: neighbours touch at their ends
       keys[k] = group * nBins + bin;
     }
@@ -167,15 +189,16 @@ SpatialOrder<Dim>& SpatialOrder<Dim>::operator=(SpatialOrder&&) noexcept = defau
 template <int Dim>
 void SpatialOrder<Dim>::divide(std::size_t first, std::size_t last, int depth) {
   const std::size_t n = last - first;
-  if (n <= 2 * cellPoints<Dim> || depth == maxDepth) {
+  const auto leaveWhole = [&] {
     if (n > 0) cellEnds_.push_back(last);
-    return;
-  }
+  };
+  if (n <= 2 * cellPoints<Dim> || depth == maxDepth) return leaveWhole();
   const auto indices = order_.subspan(first, n), cells = cell_.subspan(first, n);
   const auto sorted = sorted_.subspan(first, n);
   const Box<Dim> box = boundsOf<Dim>(points_, std::span<const std::uint32_t>(indices));
   const Serpentine<Dim> grid(box, static_cast<double>(n) / cellPoints<Dim>);
   const std::size_t nCells = grid.nCells(), before = starts_.size();
+  if (nCells == 1) return leaveWhole();  // too few for two along some axis, or all in one place
   // A stable counting sort in as many parts as there are threads: its result is the same for any
   // number of parts.
   const std::size_t nParts =

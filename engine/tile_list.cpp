@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <limits>
 
 namespace plenum {
 
@@ -142,15 +144,16 @@ bool TileList<Dim>::tryBuild(std::span<const Vec<Dim>> positions, const Clusters
                              const Box<Dim>& domain, double unitLength, bool wallsReceive) {
   divide(clusters, wallsReceive);
   group(clusters);
-  bool fits = true;
+  std::atomic<bool> fits = true;  // if one chunk does not, the others are of no use
   FirstFailure failure;
-#pragma omp parallel for schedule(dynamic, 1) reduction(&& : fits)
+#pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t c = 0; c < nChunks_; ++c)
     failure.watch(c, [&] {
+      if (!fits) return;
       TileSearch<Dim>& search = work_->searches[static_cast<std::size_t>(omp_get_thread_num())];
-      fits = search.run(positions, clusters, work_->groups, domain, unitLength, wallsReceive,
-                        chunks_[c]) &&
-             fits;
+      if (!search.run(positions, clusters, work_->groups, domain, unitLength, wallsReceive,
+                      chunks_[c]))
+        fits = false;
     });
   failure.rethrow();
   return fits;
@@ -166,6 +169,11 @@ void TileList<Dim>::linkHalos(const Clusters<Dim>& clusters) {
     place += chunks_[c].halo.size();
     for (const std::uint32_t cluster : chunks_[c].halo) ++firstAddition_[chunkOf(cluster) + 1];
   }
+  if (place > std::numeric_limits<std::uint32_t>::max())
+    throw RunError(
+        fmt::format("{} places for sums are more than can be numbered: too many particles "
+                    "for one process; use a larger spacing",
+                    place));
   nSumPlaces_ = place;
   for (std::size_t c = 0; c < nChunks_; ++c) firstAddition_[c + 1] += firstAddition_[c];
   const std::size_t nAdditions = place - clusters.nClusters;
@@ -186,6 +194,13 @@ template <int Dim>
 std::size_t TileList<Dim>::nTiles() const {
   std::size_t n = 0;
   for (const auto& chunk : chunks()) n += chunk.tiles.size();
+  return n;
+}
+
+template <int Dim>
+std::size_t TileList<Dim>::nTests() const {
+  std::size_t n = 0;
+  for (const auto& search : work_->searches) n += search.nTests();
   return n;
 }
 

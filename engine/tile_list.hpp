@@ -138,6 +138,8 @@ class TileList {
   }
 
   std::size_t nTiles() const;
+  /// Boxes and clusters that all searches have compared so far: what they cost.
+  std::size_t nTests() const;
   std::size_t bytes() const;
 
  private:

@@ -4,6 +4,7 @@
 #include "engine/instruction_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plenum {
 
@@ -123,13 +124,16 @@ bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Di
     found_.locals.push_back({perUnit_ * own.origin, own.cluster, own.cluster});
     candidates_[c].local = static_cast<std::uint32_t>(c);
   }
-  for (std::size_t c = 0; c < nOwn; ++c) findTilesOf(c, found_);
+  // What is found beyond the limit would be thrown away, and could be far more than fits memory.
+  for (std::size_t c = 0; c < nOwn && found_.locals.size() <= maxLocals; ++c)
+    findTilesOf(c, found_);
+  if (found_.locals.size() > maxLocals) return false;
   copyWithRoom(found_.counts, chunk.counts);
   copyWithRoom(found_.tiles, chunk.tiles);
   copyWithRoom(found_.locals, chunk.locals);
   copyWithRoom(found_.halo, chunk.halo);
   keepRoomForMore();
-  return chunk.locals.size() <= maxLocals;
+  return true;
 }
 
 template <int Dim>
@@ -186,21 +190,28 @@ void TileSearch<Dim>::begin(const TileChunk<Dim>& chunk) {
   found_.halo.clear();
   candidates_.clear();
   points_.clear();
+  const std::span own = std::span(clusters_->origin).subspan(chunk.firstCluster, chunk.nClusters);
   box_ = Box<Dim>::nothing();
   reach_ = 0;
   for (std::size_t c = chunk.firstCluster; c < chunk.firstCluster + chunk.nClusters; ++c) {
     box_.extend(boxOf(*clusters_, c));
     reach_ = std::max(reach_, static_cast<double>(clusters_->boxes[c].reach));
   }
-  origin_ = box_.center();
-  double extent = reach_;
-  for (int a = 0; a < Dim; ++a) extent += box_.upper[a] - box_.lower[a];
-  rounding_ = 1e-6 * extent;
+  // The median, not the middle: a stray must not take the digits of the others.
+  for (int a = 0; a < Dim; ++a) {
+    coordinates_.clear();
+    for (const Vec<Dim>& origin : own) coordinates_.push_back(origin[a]);
+    const auto middle = coordinates_.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
+    std::ranges::nth_element(coordinates_, middle);
+    origin_[a] = *middle;
+  }
 }
 
 template <int Dim>
 void TileSearch<Dim>::addNear(const ClusterGroup<Dim>& group, const Vec<Dim>& shift) {
+  ++nTests_;
   if (!isNear(group.box, group.reach, shift)) return;
+  nTests_ += group.last - group.first;
   for (std::uint32_t c = group.first; c < group.last; ++c)
     if (isNear(boxOf(*clusters_, c), static_cast<double>(clusters_->boxes[c].reach), shift))
       addCandidate(c, shift);
@@ -214,7 +225,7 @@ bool TileSearch<Dim>::isNear(const Box<Dim>& box, double reach, const Vec<Dim>& 
         {box_.lower[a] - box.upper[a] - shift[a], box.lower[a] + shift[a] - box_.upper[a], 0.0});
     distanceSquared += gap * gap;
   }
-  const double limit = std::max(reach, reach_) + rounding_;
+  const double limit = std::max(reach, reach_);
   return distanceSquared < limit * limit;
 }
 
@@ -223,14 +234,17 @@ void TileSearch<Dim>::addCandidate(std::uint32_t cluster, const Vec<Dim>& shift)
   const Vec<Dim> origin = clusters_->origin[cluster] + shift - origin_;
   candidates_.push_back({origin, cluster, notLocal});
   const ClusterBox<Dim>& cornered = clusters_->boxes[cluster];
+  // The search rounds to float, by 6e-8 of the coordinates of a cluster and of those that it sees.
+  double size = 0;
   FloatBox<Dim> box;
   for (int a = 0; a < Dim; ++a) {
     const double lower = static_cast<double>(cornered.lower[a]),
                  upper = static_cast<double>(cornered.upper[a]);
     box.center[a] = static_cast<float>(perUnit_ * (origin[a] + 0.5 * (lower + upper)));
     box.half[a] = static_cast<float>(perUnit_ * 0.5 * (1 + 1e-6) * (upper - lower));
+    size += std::abs(origin[a]) + (upper - lower) + static_cast<double>(cornered.reach);
   }
-  box.reach = static_cast<float>(perUnit_ * (static_cast<double>(cornered.reach) + rounding_));
+  box.reach = static_cast<float>(perUnit_ * (static_cast<double>(cornered.reach) + 1e-6 * size));
   if (boxes_.size() < candidates_.size()) boxes_.resize(2 * candidates_.size());
   boxes_.set(candidates_.size() - 1, box);
   // Where there are fewer than eight particles, the last one again.
@@ -275,6 +289,7 @@ std::size_t TileSearch<Dim>::findNear(std::size_t own) {
   const std::size_t n =
       selectInBlocks(boxes_.rows(), std::to_address(firstBlock),
                      static_cast<std::size_t>(blocks.end() - firstBlock), box, nearCluster_.data());
+  nTests_ += blocks_.size() + static_cast<std::size_t>(blocks.end() - firstBlock) * blockSize;
   nearBoxes_.resize(n + boxPadding);
   for (std::size_t k = 0; k < n; ++k) nearBoxes_.set(k, boxes_.at(nearCluster_[k]));
   nearBoxes_.pad(n);
@@ -293,6 +308,7 @@ void TileSearch<Dim>::findTilesOf(std::size_t own, TileChunk<Dim>& chunk) {
     const FloatBox<Dim> box =
         boxOfPoints(own, part * clusterSize / 2, (part + 1) * clusterSize / 2);
     std::size_t count = select(nearBoxes_.rows(), nNear, box, nearHalf_.data());
+    nTests_ += nNear + count;
     count = selectClusters(points_.data(), boxes_.reach.data(), nearCluster_.data(),
                            nearHalf_.data(), count, box, nearHalf_.data());
     // Tiles of one kind are consecutive: candidates of fluids come before those of walls, and only

@@ -62,6 +62,9 @@ class TileSearch {
            std::span<const ClusterGroup<Dim>> groups, const Box<Dim>& domain, double unitLength,
            bool wallsReceive, TileChunk<Dim>& chunk);
 
+  /// Boxes and clusters that all calls have compared: what a search costs.
+  std::size_t nTests() const { return nTests_; }
+
  private:
   struct Candidate {
     Vec<Dim> origin;  // relative to the chunk [m]
@@ -84,18 +87,21 @@ class TileSearch {
   const Clusters<Dim>* clusters_ = nullptr;
   std::span<const Vec<Dim>> positions_;
   bool wallsReceive_ = false;
-  double perUnit_ = 1;   // units of length in a metre
-  Box<Dim> box_;         // of the chunk
-  Vec<Dim> origin_;      // its centre
-  double reach_ = 0;     // the largest of its clusters [m]
-  double rounding_ = 0;  // of the search, which is in float [m]
+  double perUnit_ = 1;  // units of length in a metre
+  Box<Dim> box_;        // of the chunk
+  Vec<Dim> origin_;     // what its positions are relative to
+  double reach_ = 0;    // the largest of its clusters [m]
+  std::vector<double> coordinates_;
   // Clusters that may be in a tile: the chunk's own, their images, those of other fluids, of walls.
   std::vector<Candidate> candidates_;
-  BoxArrays<Dim> boxes_, blocks_;  // of the candidates, of blocks of them, relative to the chunk
-  std::vector<float> points_;      // [candidate][axis][particle]
-  BoxArrays<Dim> nearBoxes_;       // of those near one cluster
+  // Their boxes, those of blocks of them, and particles ([candidate][axis][particle]); relative to
+  // `origin_` [unit of length].
+  BoxArrays<Dim> boxes_, blocks_;
+  std::vector<float> points_;
+  BoxArrays<Dim> nearBoxes_;  // of those near one cluster
   std::vector<std::uint32_t> nearBlock_, nearCluster_, nearHalf_;
   TileChunk<Dim> found_;
+  std::size_t nTests_ = 0;
 };
 
 extern template class TileSearch<1>;

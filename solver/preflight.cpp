@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/preflight.hpp"
 
+#include "engine/engine.hpp"
 #include "particles/errors.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ void checkFields(const ParticleSet<Dim>& particles) {
 }
 
 template <int Dim>
-void checkValues(const ParticleSet<Dim>& particles) {
+void checkValues(const ParticleSet<Dim>& particles, double support) {
   const auto ids = particles[field::id];
   const auto refuse = [&](std::size_t i, const char* what, double value) {
     throw InputError(fmt::format("particle {}: {} = {:g}; generate the particle file anew", ids[i],
@@ -33,6 +34,11 @@ void checkValues(const ParticleSet<Dim>& particles) {
       const double x = particles[field::position][i][a], v = particles[field::velocity][i][a];
       if (!std::isfinite(x)) refuse(i, "position", x);
       if (!std::isfinite(v)) refuse(i, "velocity", v);
+      if (!(std::abs(x) < 0.5 * mostSupportsAway * support))
+        throw InputError(fmt::format(
+            "particle {}: position = {:g} m is further away than {:g} times the kernel's support "
+            "{:g} m, and could not be told from those beside it; generate the particle file anew",
+            ids[i], x, 0.5 * mostSupportsAway, support));
     }
     const double mass = particles[field::mass][i], density = particles[field::density][i];
     if (!(mass > 0 && std::isfinite(mass))) refuse(i, "mass", mass);
@@ -72,7 +78,7 @@ void checkBeforeRun(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particle
                     const SolverSettings& settings) {
   if (particles.nFluid() == 0) throw InputError("the particle file has no fluid particle");
   checkFields(particles);
-  checkValues(particles);
+  checkValues(particles, 2 * settings.smoothingLength * info.spacing);
   checkCoverage(info, settings);
   if (settings.collisions && settings.collisions->range > 2 * settings.smoothingLength)
     throw InputError(fmt::format(

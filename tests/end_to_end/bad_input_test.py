@@ -146,6 +146,16 @@ class RunErrors(Programs):
                     cut.write(f.read(int(share * size)))
             self.refused((SPH, "run", "cut.hdf"), "cut.hdf")
 
+    def test_a_position_that_is_no_number(self):
+        for value in (numpy.nan, numpy.inf, -1e30):
+            with h5py.File(self.path("gap.hdf"), "r+") as f:
+                number = f["PartType0/ParticleIDs"][7]
+                for name in ("PartType0/Coordinates", "VTKHDF/Points"):
+                    f[name][7, 1] = value
+            self.refused((SPH, "run", "gap.hdf", "-o", "out", "--quiet"), "gap.hdf: ", "position",
+                         str(number), "generate the particle file")
+            self.assertFalse(os.path.exists(self.path("out")))
+
     def test_another_version(self):
         with h5py.File(self.path("gap.hdf"), "r+") as f:
             name = next(k for k in f["Plenum"].attrs if "ersion" in k)

@@ -333,6 +333,10 @@ TYPED_TEST(PairLoopTest, IsRightForMicrochannels) {
 TYPED_TEST(PairLoopTest, IsRightForGalaxies) {
   expectRightInUnitsOf<TypeParam::value>(1e19, 1e33, 1e14);
 }
+/// Squares of metres would overflow in float.
+TYPED_TEST(PairLoopTest, IsRightForClustersOfGalaxies) {
+  expectRightInUnitsOf<TypeParam::value>(1e23, 1e40, 1e17);
+}
 
 TEST(PairLoop, SumsHaveTheSameBitsForAnyNumberOfThreads) {
   const Box<2> box = test::unitBox<2>(true);

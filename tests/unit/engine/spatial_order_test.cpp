@@ -131,6 +131,37 @@ double meanVolume(const Points<Dim>& points, double volumePerPoint) {
   return sum / static_cast<double>(nClusters) / (volumePerPoint * clusterSize);
 }
 
+/// 90 % of the boxes of clusters of a set in the unit cube, but for a few strays, are below this
+/// many times the volume of 8 points.
+template <int Dim>
+double mostVolumes(const Points<Dim>& points, const std::vector<std::uint32_t>& order) {
+  const std::size_t n = points.size();
+  std::vector<double> volumes;
+  for (std::size_t first = 0; first + clusterSize <= n; first += clusterSize)
+    volumes.push_back(boxOfCluster<Dim>(points, order, first).volume());
+  std::ranges::sort(volumes);
+  return volumes[volumes.size() * 9 / 10] * static_cast<double>(n) / clusterSize;
+}
+
+/// From cells of one Packer to such that must be divided; strays on a scale each, and in a bunch.
+TYPED_TEST(SpatialOrderTest, AFewStraysDoNotSpoilTheOrderOfTheOthers) {
+  constexpr int Dim = TypeParam::value;
+  for (const std::size_t n : {1000, 4000, 20000, 60000})
+    for (const std::size_t nStrays : {1, 4, 40})
+      for (const double ratio : {1.0, 2.0, 5.0}) {
+        if (100 * nStrays > n) continue;  // not a few
+        Points<Dim> points = randomPoints<Dim>(n);
+        for (std::size_t k = 0; k < nStrays; ++k)
+          for (int a = 0; a < Dim; ++a)
+            points[k * n / nStrays][a] +=
+                (k % 3 == 2 ? -1e4 : 1e4) * std::pow(ratio, static_cast<double>(k));
+        const double typical = mostVolumes<Dim>(points, orderOf<Dim>(points));
+        // As of a clump with strays, below; and in a cell with strays bins may be three times as
+        // wide, so that in 1-D twelve points share one.
+        EXPECT_LT(typical, 3.0) << n << " points, " << nStrays << " strays, ratio " << ratio;
+      }
+}
+
 /// Points in no order at all would have factors of n/8 and more.
 TYPED_TEST(SpatialOrderTest, MakesCompactClusters) {
   constexpr int Dim = TypeParam::value;
@@ -147,12 +178,7 @@ TYPED_TEST(SpatialOrderTest, MakesCompactClusters) {
   const std::size_t n = 20000;
   const Points<Dim> points = clump<Dim>(n);
   const std::vector<std::uint32_t> order = orderOf<Dim>(points);
-  std::vector<double> volumes;
-  for (std::size_t first = 0; first + clusterSize <= n; first += clusterSize)
-    volumes.push_back(boxOfCluster<Dim>(points, order, first).volume());
-  std::ranges::sort(volumes);
-  const double perEight = 8 * std::pow(1e-6, Dim) / static_cast<double>(n);
-  const double typical = volumes[volumes.size() * 9 / 10] / perEight;
+  const double typical = mostVolumes<Dim>(points, order) / std::pow(1e-6, Dim);
   std::cout << "  a clump with strays: 90 % of the boxes below " << typical << "\n";
   // Boxes of random points vary; twice the mean of a uniform set is still a cluster.
   EXPECT_LT(typical, 2.0);

@@ -45,6 +45,9 @@ TEST(Preflight, NamesTheParticleWithABadValue) {
   scene = gas();
   scene.particles[field::position][6][1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal(scene).find("particle 7: position"), std::string::npos);
+  scene = gas();
+  scene.particles[field::position][8][0] = -1e30;
+  EXPECT_NE(refusal(scene).find("particle 9: position = -1e+30 m"), std::string::npos);
 }
 
 TEST(Preflight, NamesTheMissingLayersOfAThinWall) {
