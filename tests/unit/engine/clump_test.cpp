@@ -139,7 +139,7 @@ TEST(Clump, ChunksThatSeeTooManyClustersAreMadeSmaller) {
   engine.update(sites.all);
   EXPECT_GT(engine.tiles().chunks().size(), 1u);  // 256 clusters of fluid would be one
   engine.run(passOf<2>(pass), sites.all);
-  const auto sums = engine.sums(field::densityRate);
+  const auto sums = engine.sums(field::density);
   const double typical = expected.typicalSize(0, 0, sites.nFluid);
   for (std::size_t i = 0; i < sites.all.nFluid(); ++i) {
     const auto row = static_cast<std::size_t>(expected.nOut) * sites.all[field::id][i];
