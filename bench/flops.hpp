@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Floating-point operations of a step, counted from the formulas (solver/terms.hpp) for a pair of
+// particles and both its sides, as a loop needs them that computes what the sides share once. An
+// addition, a product, a maximum, a comparison, a division and a root count 1 each; constants of
+// the run count nothing. What the machine computes besides (lanes without a neighbour, Newton steps
+// of roots, the sums of a particle's lanes) is no use, so it is not counted.
+#pragma once
+
+namespace plenum::bench {
+
+/// r_ij (d), r^2 (2d - 1), root, R = r/h.
+constexpr int distance(int d) { return d + (2 * d - 1) + 2; }
+/// wendland_c2: t = max(0, 1 - R/2) (3), t^3 (2), factors -5 and sigma (2).
+constexpr int gradient = 7;
+/// t (3), t^4 (2), (1 + 2R) (2), the product and sigma (2).
+constexpr int kernel = 9;
+/// v_i - v_j (d), times r_ij (2d - 1).
+constexpr int approach(int d) { return d + (2 * d - 1); }
+/// F (v.r); a side: rho_i m_j / rho_j (2), times the former, added.
+constexpr int continuity = 1 + 2 * 4;
+/// A side: m_j W, added.
+constexpr int densitySum = 2 * 2;
+/// (p_i + p_j) (1/rho_i 1/rho_j).
+constexpr int pressureDensityProduct = 3;
+/// p/rho^2 of both sides (2 each) and their sum.
+constexpr int pressureDensitySquared = 5;
+/// Mean density (2), r^2 + .01 h^2 (1), h min(v.r, 0)/(...) (4), mu (1), Pi (3).
+constexpr int monaghanViscosity = 11;
+/// A side: m_j stress, m_j Pi, their sum, times F, times r_ij and added (2d).
+constexpr int acceleration(int d) { return 2 * (4 + 2 * d); }
+
+/// Of one interaction, which is one side of a pair, in both passes.
+struct Flops {
+  double density, forces;
+};
+
+/// Continuity; pressure and viscosity: 38.5 in 2-D, 46.5 in 3-D.
+constexpr Flops damBreakFlops(int d) {
+  const int shared = distance(d) + gradient + approach(d);
+  return {0.5 * (shared + continuity),
+          0.5 * (shared + pressureDensityProduct + monaghanViscosity + acceleration(d))};
+}
+
+/// Summation; pressure and viscosity.
+constexpr Flops quietGasFlops(int d) {
+  return {0.5 * (distance(d) + kernel + densitySum),
+          0.5 * (distance(d) + gradient + approach(d) + pressureDensitySquared + monaghanViscosity +
+                 acceleration(d))};
+}
+
+}  // namespace plenum::bench
