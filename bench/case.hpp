@@ -30,13 +30,18 @@ struct Choice {
   std::vector<int> threads;
   double smallest = 1e4, largest = 1e6;
   bool full = false;         ///< double at the largest sizes, too
-  bool made = false;         ///< no running dam break
+  double running = 1e5;      ///< most particles whose dam break is really run
   int repetitions = 0;       ///< 0: five, three from a million on
   double seconds = 0.25;     ///< least time of a measurement
   std::string filter = ".";  ///< of names
   std::string json;
   std::string states = "out/bench";
 };
+
+/// Whether a case begins from a dam break that was run from rest (running_state.hpp).
+inline bool isReallyRun(const Case& c, const Choice& choice) {
+  return c.isDamBreak() && static_cast<double>(c.n) <= choice.running;
+}
 
 /// The cases of each size, smallest first.
 std::vector<std::vector<Case>> casesOf(const Choice& choice);

@@ -35,6 +35,8 @@ ns/interaction  the time of a step over the number of true interactions: pairs
                 once a step however many passes there are. A term of the engine
                 counts them before and after. CPU time with one thread, wall
                 time with more; median of the repetitions, +- half their range.
+cores           CPU time over wall time; ! where threads had to wait for other
+                programs.
 M particles/s   particles that a step moves on per second, in millions: "all"
                 counts the walls, too, which carry density and pressure here.
 steps/sort      steps from one sorting and search to the next.
@@ -72,7 +74,9 @@ int main(int argc, char** argv) {
       ->delimiter(',')
       ->check(CLI::Range(1, cores));
   app.add_flag("--full", choice.full, "double from 1e6 particles on, too");
-  app.add_flag("--made", choice.made, "no running dam break: made ones at all sizes");
+  app.add_option("--running", choice.running,
+                 "most particles whose dam break is really run; 0: none [1e5]")
+      ->check(CLI::Range(0.0, 1e9));
   app.add_option("--filter", choice.filter,
                  "regular expression of names like dam_break/2d/mixed/n:100000");
   app.add_option("--repetitions", choice.repetitions, "of each case [5; 3 from 1e6 on]")

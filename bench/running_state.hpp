@@ -7,9 +7,6 @@
 
 namespace plenum::bench {
 
-/// Largest number of particles whose collapse is really run: some minutes of computing.
-constexpr std::size_t mostRunning = 100000;
-
 /// The dam break of damBreakAtRest after it has run for sqrt(H/g): the column has lost some third
 /// of its height and the front has gone as far as that. Read from `folder` if some earlier call
 /// left it there; otherwise run now, with a line on stderr, and left there.

@@ -111,6 +111,7 @@ class StepProbe {
     Measurement m;
     m.seconds = mean(rebuilding_.times.counted(threads), plain_.times.counted(threads));
     m.wallSeconds = mean(rebuilding_.times.wall, plain_.times.wall);
+    m.cpuSeconds = mean(rebuilding_.times.cpu, plain_.times.cpu);
     for (std::size_t k = 0; k < nParts; ++k)
       m.partSeconds[k] = mean(rebuilding_.parts[k], plain_.parts[k]);
     m.stepsPerRebuild = cycle;
@@ -134,13 +135,12 @@ class StepProbe {
 };
 
 template <int Dim>
-std::function<Measurement(const Request&)> make(const Case& c, const std::string& states,
-                                                bool made) {
+std::function<Measurement(const Request&)> make(const Case& c, const Choice& choice) {
   const std::size_t bytesBefore = presentMemory();
   omp_set_num_threads(omp_get_num_procs());
-  const bool isRunning = c.isDamBreak() && !made && c.n <= mostRunning;
+  const bool isRunning = isReallyRun(c, choice);
   Setup<Dim> setup = !c.isDamBreak() ? quietGas<Dim>(c.n)
-                     : isRunning     ? damBreakRunning<Dim>(c.n, states)
+                     : isRunning     ? damBreakRunning<Dim>(c.n, choice.states)
                                      : damBreakMade<Dim>(c.n);
   setup.settings.precision = c.precision;
   const auto probe = std::make_shared<StepProbe<Dim>>(std::move(setup), isRunning, bytesBefore);
@@ -149,9 +149,8 @@ std::function<Measurement(const Request&)> make(const Case& c, const std::string
 
 }  // namespace
 
-std::function<Measurement(const Request&)> stepProbe(const Case& c, const std::string& states,
-                                                     bool made) {
-  return c.dimension == 2 ? make<2>(c, states, made) : make<3>(c, states, made);
+std::function<Measurement(const Request&)> stepProbe(const Case& c, const Choice& choice) {
+  return c.dimension == 2 ? make<2>(c, choice) : make<3>(c, choice);
 }
 
 }  // namespace plenum::bench

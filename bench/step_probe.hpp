@@ -19,6 +19,7 @@ struct Request {
 struct Measurement {
   double seconds = 0;      ///< a step: CPU time of one thread, wall time of more
   double wallSeconds = 0;  ///< a step
+  double cpuSeconds = 0;   ///< a step, of all threads
   double partSeconds[static_cast<int>(Part::count)]{};  ///< a step, wall time
   double stepsPerRebuild = 0;
   double nSteps = 0;  ///< that were timed
@@ -31,9 +32,8 @@ struct Measurement {
   double n() const { return nFluid + nWalls; }
 };
 
-/// Sets up a case and returns what measures it. Chooses the running dam break from `states` where
-/// there is one and `made` does not forbid it.
-std::function<Measurement(const Request&)> stepProbe(const Case& c, const std::string& states,
-                                                     bool made);
+/// Sets up a case and returns what measures it. The state that it begins from is the running dam
+/// break if isReallyRun().
+std::function<Measurement(const Request&)> stepProbe(const Case& c, const Choice& choice);
 
 }  // namespace plenum::bench

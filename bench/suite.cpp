@@ -68,11 +68,12 @@ void setCounters(benchmark::UserCounters& counters, const Case& c, int threads,
     counters[std::string(partNames[static_cast<std::size_t>(k)])] =
         100 * m.partSeconds[k] / m.wallSeconds;
   counters[counter::gflops] = work / (pairShare * m.seconds) * 1e-9;
+  counters[counter::coresUsed] = m.cpuSeconds / m.wallSeconds;
   counters[counter::countedBytes] = m.countedBytes;
   if (m.processBytes > 0) counters[counter::processBytes] = m.processBytes;
 }
 
-/// Runs `measure` once for each of `iterations` and calls what it throws an error of the benchmark.
+/// Calls measure(); what it throws is an error of the benchmark.
 template <class Measure>
 void guarded(benchmark::State& state, Measure&& measure) {
   try {
@@ -123,14 +124,14 @@ void addPeak(const std::shared_ptr<PeakWorker>& worker, const std::string& preci
 }
 
 /// The running dam breaks that the cases begin from are made one at a time, by all cores.
-void makeRunningStates(const std::vector<Case>& cases, const std::string& states) {
+void makeRunningStates(const std::vector<Case>& cases, const Choice& choice) {
   for (const Case& c : cases) {
-    if (!c.isDamBreak() || c.n > mostRunning) continue;
+    if (!isReallyRun(c, choice)) continue;
     Worker<char, char> maker(c.name(), [&]() -> Worker<char, char>::Serve {
       if (c.dimension == 2)
-        damBreakRunning<2>(c.n, states);
+        damBreakRunning<2>(c.n, choice.states);
       else
-        damBreakRunning<3>(c.n, states);
+        damBreakRunning<3>(c.n, choice.states);
       return [](char request) { return request; };
     });
     maker.ask(0);
@@ -165,8 +166,8 @@ double spreadPercent(const Runs& runs, const char* counter) {
 }
 
 Suite::Suite(const Choice& choice) : choice_(choice) {
-  // Google Benchmark reads its own options from a command line only.
-  std::string words[] = {"plenum-bench", "--benchmark_enable_random_interleaving=true"};
+  // Google Benchmark reads its own options from a command line only, and keeps the first word.
+  static std::string words[] = {"plenum-bench", "--benchmark_enable_random_interleaving=true"};
   char* arguments[] = {words[0].data(), words[1].data(), nullptr};
   int count = 2;
   benchmark::Initialize(&count, arguments);
@@ -180,7 +181,7 @@ void Suite::run() {
     std::ranges::copy_if(size, std::back_inserter(chosen),
                          [&](const Case& c) { return std::regex_search(c.name(), filter); });
     if (chosen.empty()) continue;
-    if (!choice_.made) makeRunningStates(chosen, choice_.states);
+    makeRunningStates(chosen, choice_);
     if (chosen.front().n <= mostTogether)
       runTogether(chosen);
     else
@@ -206,10 +207,10 @@ void Suite::runTogether(const std::vector<Case>& cases) {
       addPeak(peakWorker, precision, threads, n, repetitions);
   }
   for (const Case& c : cases) {
-    const auto worker = std::make_shared<StepWorker>(
-        c.name(), [&] { return stepProbe(c, choice_.states, choice_.made); });
+    const auto worker =
+        std::make_shared<StepWorker>(c.name(), [&] { return stepProbe(c, choice_); });
     for (const int threads : choice_.threads)
-      addStep(worker, c, {threads, choice_.seconds, 8 * choice_.seconds}, repetitions);
+      addStep(worker, c, {threads, choice_.seconds, 4 * choice_.seconds}, repetitions);
   }
   std::vector<Run> runs;
   Collector collector(runs);

@@ -20,8 +20,7 @@ inline constexpr const char *dimension = "dimension", *threads = "threads_used",
                             *stepsPerRebuild = "steps_per_rebuild", *gflops = "pair_loop_gflops",
                             *peak = "fma_peak_gflops", *ofPeak = "pair_loop_percent_of_peak",
                             *countedBytes = "counted_bytes_per_particle",
-                            *processBytes = "process_bytes_per_particle",
-                            *spread = "spread_percent";
+                            *processBytes = "process_bytes_per_particle", *coresUsed = "cores_used";
 }  // namespace counter
 
 /// The runs of all cases, every repetition one. Cases of one size take turns at random.
@@ -41,6 +40,10 @@ class Suite {
   Choice choice_;
   std::vector<benchmark::BenchmarkReporter::Run> runs_;
 };
+
+/// Below this share of a core a thread, by the median, other programs took too much of the machine
+/// for a wall time to say something (bench/chart.py has the same bound).
+inline constexpr double leastShareOfCores = 0.8;
 
 /// A counter of repetitions of one case: their median, or (largest - smallest)/median.
 using Runs = std::vector<benchmark::BenchmarkReporter::Run>;
