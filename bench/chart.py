@@ -46,18 +46,24 @@ def order(curve):
 
 def panel(dimension, of_panel):
     """gnuplot's commands for one dimension: data blocks and a plot."""
-    text, parts = "", []
+    text, parts, points = "", [], []
     for k, curve in enumerate(sorted(of_panel, key=order)):
         scene, precision, threads = curve
         block = f"$d{dimension}_{k}"
         rows = sorted((n, statistics.median(ns)) for n, ns in of_panel[curve].items())
         text += f"{block} << EOD\n" + "".join(f"{n} {ns}\n" for n, ns in rows) + "EOD\n"
+        points += rows
         colour = COLOURS.get((scene, threads), OTHER_COLOUR)
         style = "dt 1 pt 7" if precision == "mixed" else "dt 2 pt 6"
         title = f"{SCENES.get(scene, scene)}, {precision}, {threads} thread{'s' * (threads > 1)}"
         parts.append(f"{block} using 1:2 with linespoints lw 2 ps 1.1 lc rgb '{colour}' {style} "
                      f"title '{title}'")
-    return text + f"set title '{dimension}-D'\nplot " + ", ".join(parts) + "\n"
+    least, most = min(n for n, _ in points), max(n for n, _ in points)
+    return (f"{text}set title '{dimension}-D'\n"
+            f"set xrange [{0.7 * least}:{1.4 * most}]\n"
+            f"set yrange [0:{1.1 * max(ns for _, ns in points)}]\n"
+            f"set bmargin {5 + (len(parts) + 1) // 2}\n"
+            f"plot {', '.join(parts)}\n")
 
 
 def main():
@@ -77,10 +83,7 @@ set logscale x
 set format x '10^{{%L}}'
 set xlabel 'particles, walls included'
 set ylabel 'time a particle and step [ns]'
-set yrange [0:*]
-set offsets graph 0.05, graph 0.05, 0, 0
 set grid
-set bmargin 9
 set key below maxcols 2 samplen 2.5
 """
     script += "".join(panel(d, panels[d]) for d in sorted(panels)) + "unset multiplot\n"
