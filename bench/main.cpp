@@ -41,8 +41,8 @@ M particles/s   particles that a step moves on per second, in millions: "all"
                 counts the walls, too, which carry density and pressure here.
 steps/sort      steps from one sorting and search to the next.
 share           of the wall time of a step, by the engine's stopwatch.
-% of peak       what the pair loops do of use (38.5 operations an interaction in
-                2-D, 46.5 in 3-D; bench/flops.hpp) over what as many threads
+% of peak       what the pair loops do of use (dam break: 32.5 operations an
+                interaction in 2-D, 40 in 3-D; bench/flops.hpp) over what as many threads
                 reach with multiply-adds alone, measured in turn with the steps.
 bytes/particle  what the program counts, and what its process takes (from 1e6
                 particles on).
