@@ -36,7 +36,7 @@ template <class Value>
 void copyWithRoom(const std::vector<Value>& from, std::vector<Value>& to) {
   if (to.capacity() < from.size()) {
     to = {};
-    to.reserve(from.size() + from.size() / 8 + 32);
+    to.reserve(from.size() + from.size() / 4 + 32);
   }
   to.assign(from.begin(), from.end());
 }
@@ -200,6 +200,7 @@ void TileSearch<Dim>::begin(const TileChunk<Dim>& chunk) {
   // The median, not the middle: a stray must not take the digits of the others.
   for (int a = 0; a < Dim; ++a) {
     coordinates_.clear();
+    keepRoom(coordinates_, own.size());
     for (const Vec<Dim>& origin : own) coordinates_.push_back(origin[a]);
     const auto middle = coordinates_.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
     std::ranges::nth_element(coordinates_, middle);
