@@ -18,11 +18,13 @@ run() {
     "$(sed 's/ interactions a step; .* particles; / /' "$folder/stdout")"
 }
 
-# check SET: with the instruction set that the program takes under valgrind.
+# check: with the instruction set that the program takes under valgrind.
 check() {
-  local once twice interactions name
-  read -r once _ <<<"$(run $steps)"
-  read -r twice interactions name <<<"$(run $((2 * steps)))"
+  local first second once twice interactions name
+  first=$(run $steps)
+  second=$(run $((2 * steps)))
+  read -r once _ <<<"$first"
+  read -r twice interactions name <<<"$second"
   local bound=$avx2_bound
   [ "$name" != baseline ] || bound=$baseline_bound
   awk -v d=$((twice - once)) -v n=$((interactions * steps)) -v b="$bound" -v name="$name" 'BEGIN {
