@@ -23,12 +23,18 @@ option(PLENUM_SANITIZE "address and undefined-behaviour sanitizers" OFF)
 if(PLENUM_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
+  add_compile_definitions(PLENUM_GENERIC_LOOPS_ONLY)
 endif()
 
 # For sources with pair loops: as fast as -ffast-math, but NaN is still found.
 set(PLENUM_PAIR_LOOP_FLAGS
   -fno-math-errno -fno-trapping-math -fno-signed-zeros -fassociative-math -ffp-contract=fast
   -fschedule-insns -fsched-pressure)
+set(PLENUM_PAIR_LOOP_LEVEL -O3)
+if(PLENUM_SANITIZE)
+  list(REMOVE_ITEM PLENUM_PAIR_LOOP_FLAGS -fschedule-insns -fsched-pressure)
+  set(PLENUM_PAIR_LOOP_LEVEL -O1)
+endif()
 
 # Instruction sets that loops are compiled for; the best is chosen when a program starts.
 set(PLENUM_INSTRUCTION_SETS Baseline)
@@ -47,7 +53,8 @@ function(plenum_add_loops target source)
       add_library(${name} OBJECT ${source})
       target_link_libraries(${name} PRIVATE plenum_particles)
       target_compile_definitions(${name} PRIVATE PLENUM_ISA=${set} ${definition})
-      target_compile_options(${name} PRIVATE -O3 ${PLENUM_PAIR_LOOP_FLAGS} ${PLENUM_FLAGS_${set}})
+      target_compile_options(${name} PRIVATE ${PLENUM_PAIR_LOOP_LEVEL} ${PLENUM_PAIR_LOOP_FLAGS}
+                             ${PLENUM_FLAGS_${set}})
       target_sources(${target} PRIVATE $<TARGET_OBJECTS:${name}>)
     endforeach()
   endforeach()

@@ -146,7 +146,8 @@ bool TileList<Dim>::tryBuild(std::span<const Vec<Dim>> positions, const Clusters
   group(clusters);
   std::atomic<bool> fits = true;  // if one chunk does not, the others are of no use
   FirstFailure failure;
-#pragma omp parallel for schedule(dynamic, 1)
+  // Not dynamic: the space of each search grows in the first steps, and then no more.
+#pragma omp parallel for schedule(static, 1)
   for (std::size_t c = 0; c < nChunks_; ++c)
     failure.watch(c, [&] {
       if (!fits) return;

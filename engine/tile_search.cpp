@@ -31,12 +31,13 @@ void forEachImage(const Box<Dim>& domain, Visit&& visit) {
 /// A far-away box at the end of arrays of boxes, as often as a pack may read past the last.
 constexpr float farAway = 1e18f;
 
-/// Copies with a little room to grow, so that later searches seldom have to allocate.
+/// Copies with room for a part more, so that later searches seldom have to allocate.
 template <class Value>
-void copyWithRoom(const std::vector<Value>& from, std::vector<Value>& to) {
+void copyWithRoom(const std::vector<Value>& from, std::vector<Value>& to, double part) {
   if (to.capacity() < from.size()) {
     to = {};
-    to.reserve(from.size() + from.size() / 8 + 32);
+    to.reserve(from.size() + static_cast<std::size_t>(part * static_cast<double>(from.size())) +
+               32);
   }
   to.assign(from.begin(), from.end());
 }
@@ -128,10 +129,11 @@ bool TileSearch<Dim>::run(std::span<const Vec<Dim>> positions, const Clusters<Di
   for (std::size_t c = 0; c < nOwn && found_.locals.size() <= maxLocals; ++c)
     findTilesOf(c, found_);
   if (found_.locals.size() > maxLocals) return false;
-  copyWithRoom(found_.counts, chunk.counts);
-  copyWithRoom(found_.tiles, chunk.tiles);
-  copyWithRoom(found_.locals, chunk.locals);
-  copyWithRoom(found_.halo, chunk.halo);
+  // The number of clusters hardly changes, that of tiles does as a lattice loses its order.
+  copyWithRoom(found_.counts, chunk.counts, 0.02);
+  copyWithRoom(found_.tiles, chunk.tiles, 0.2);
+  copyWithRoom(found_.locals, chunk.locals, 0.1);
+  copyWithRoom(found_.halo, chunk.halo, 0.2);
   keepRoomForMore();
   return true;
 }
@@ -200,6 +202,7 @@ void TileSearch<Dim>::begin(const TileChunk<Dim>& chunk) {
   // The median, not the middle: a stray must not take the digits of the others.
   for (int a = 0; a < Dim; ++a) {
     coordinates_.clear();
+    keepRoom(coordinates_, own.size());
     for (const Vec<Dim>& origin : own) coordinates_.push_back(origin[a]);
     const auto middle = coordinates_.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
     std::ranges::nth_element(coordinates_, middle);

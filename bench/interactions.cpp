@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/interactions.hpp"
+
+#include "engine/pass_of.hpp"
+#include "solver/pass_choice.hpp"
+
+namespace plenum::bench {
+
+namespace {
+
+/// 1 for each neighbour, the particle itself included.
+struct NeighbourCount {
+  static constexpr FieldSet reads{field::mass};
+  static constexpr FieldSet writes{field::density};
+  static constexpr bool usesKernel = false;
+
+  double support = 0;  ///< [m]
+
+  NeighbourCount inUnits(const Units& units) const { return {support / units.length}; }
+
+  template <class Real, int Dim>
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+    i.density += select(ij.distanceSquared < Real(support * support), Real(1), Real(0));
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+Interactions countInteractions(Engine<Dim>& engine, const ParticleSet<Dim>& particles,
+                               bool wallsReceive) {
+  const double support = engine.support();
+  const Pass<NoKernel, NeighbourCount> pass{{}, support / 2, {NeighbourCount{support}}};
+  engine.run(
+      passOf<Dim>(pass, wallsReceive ? Group::all : Group::fluids, Group::all, engine.units()),
+      particles);
+  const double one = engine.units().of(field::density.id, Dim);  // sums come in SI
+  Interactions count;
+  engine.withSums(field::density, [&](const auto& sums) {
+    for (std::size_t c = 0; c < sums.nClusters(wallsReceive); ++c)
+      sums.forEach(c, [&](std::size_t i, double sum) {
+        const double others = sum / one - 1;
+        count.all += others;
+        if (i < particles.nFluid()) count.ofFluids += others;
+      });
+  });
+  return count;
+}
+
+template Interactions countInteractions<2>(Engine<2>&, const ParticleSet<2>&, bool);
+template Interactions countInteractions<3>(Engine<3>&, const ParticleSet<3>&, bool);
+
+}  // namespace plenum::bench
