@@ -3,8 +3,8 @@
 // Floating-point operations of a step, counted from the formulas (solver/terms.hpp) for a pair of
 // particles and both its sides, as a loop needs them that computes what the sides share once. An
 // addition, a product, a maximum, a comparison, a division and a root count 1 each; constants of
-// the run count nothing. What the machine computes besides (lanes without a neighbour, Newton steps
-// of roots, sums over lanes) is no use, so it is not counted.
+// the run count nothing. What the machine computes besides (lanes without a neighbour,
+// sums over lanes) is no use, so it is not counted.
 #pragma once
 
 namespace plenum::bench {

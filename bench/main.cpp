@@ -3,6 +3,7 @@
 // plenum-bench: what a step costs. docs/benchmarks.md explains the columns.
 #include "bench/suite.hpp"
 #include "bench/table.hpp"
+#include "particles/command_line.hpp"
 #include "particles/errors.hpp"
 #include "particles/version.hpp"
 
@@ -83,15 +84,11 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000));
   app.add_option("--seconds", choice.seconds, "least time of a repetition [0.25]")
       ->check(CLI::Range(0.001, 1000.0));
-  app.add_option("--json", choice.json, "write all repetitions there, as Google Benchmark does");
-  app.add_option("--states", choice.states, "folder of running dam breaks [out/bench]");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& done) {
-    return app.exit(done);
-  } catch (const CLI::ParseError& error) {
-    throw InputError(std::string(error.what()) + "; see --help");
-  }
+  app.add_option("--json", choice.json, "write all repetitions there, as Google Benchmark does")
+      ->take_last();
+  app.add_option("--states", choice.states, "folder of running dam breaks [out/bench]")
+      ->take_last();
+  if (const auto done = parseOptions(app, argc, argv)) return *done;
   if (choice.smallest > choice.largest)
     throw InputError(fmt::format("--smallest {:g} is more than --largest {:g}", choice.smallest,
                                  choice.largest));

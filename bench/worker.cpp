@@ -100,10 +100,12 @@ WorkerProcess::~WorkerProcess() {
 }
 
 void WorkerProcess::fail(const std::string& message) {
-  throw RunError(fmt::format("{}: {}", name_, message));
+  failure_ = fmt::format("{}: {}", name_, message);
+  throw RunError(failure_);
 }
 
 void WorkerProcess::ask(const void* request, void* reply) {
+  if (!failure_.empty()) throw RunError(failure_);
   // A worker that failed before it read this has left its message.
   writeAll(requests_, request, requestBytes_);
   char status = failed;

@@ -36,6 +36,7 @@ class WorkerProcess {
   std::size_t requestBytes_, replyBytes_;
   pid_t process_ = -1;
   int requests_ = -1, replies_ = -1;
+  std::string failure_;  // of the first request that failed
 };
 
 /// A worker that turns each Request into a Reply.

@@ -44,7 +44,7 @@ class Arena {
     used_ = 0;
     bytes += 8 * 64;  // what aligning the parts may cost
     if (bytes > bytes_.size()) {
-      bytes_ = {};  // before the larger one is there
+      bytes_ = AlignedVector<std::byte>();  // before the larger one is there
       bytes_.resize(bytes + bytes / 64);
     }
   }

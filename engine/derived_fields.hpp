@@ -18,7 +18,7 @@ struct DerivedField {
 inline constexpr std::array derivedTable{
     DerivedField{FieldId::volume, {FieldId::mass}, 1},
     DerivedField{FieldId::specificVolume, {}, 1},
-    DerivedField{FieldId::specificStress, {FieldId::pressure}, 2},
+    DerivedField{FieldId::pressureOverDensitySquared, {FieldId::pressure}, 2},
 };
 
 /// The fields that particles must store so that `fields` can be loaded.

@@ -348,7 +348,7 @@ void Engine<Dim>::findNear(Numbers<T>& numbers) {
   const auto searching = watch_.lap(Part::search);
   const auto find = withInstructionSet(
       instructionSet(), [](auto isa) { return &findNearTiles<decltype(isa), T, Dim>; });
-  // Numbers relative to clusters round positions by less than this.
+  // A little more: rounded distances decide here, and the kernel is zero beyond the support anyway.
   const double radius =
       (options_.adaptive ? 2 : options_.support / options_.units.length) * (1 + 1e-5);
   const std::size_t nChunks = list_.chunks().size();

@@ -84,7 +84,8 @@ class Engine {
     bool adaptive = false;  ///< supports are twice field::smoothingLength, not `support`
   };
 
-  /// Throws InputError if a periodic axis of `domain` is shorter than twice the support.
+  /// Throws InputError if a periodic axis of `domain` is shorter than twice the support (adaptive
+  /// ones: `update` does, for the largest).
   Engine(const Box<Dim>& domain, const Options& options);
 
   /// To be called before the passes of a step. Where particles may have moved by half the skin

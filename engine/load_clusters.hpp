@@ -33,7 +33,7 @@ void loadPositions(const PositionSource<Dim>& source, const ClusterRun& run, T* 
 
 /// A field of a run times `scale`: [particle][component] to [cluster][component][particle], where a
 /// cluster's numbers begin every `stride`. Places without a particle get the values of the last
-/// one. `values` begins with particle `run.firstParticle`, `to` with the run's first cluster.
+/// one. `values` are those of all particles, `to` begins with the run's first cluster.
 template <class Isa, class T, int components>
 void loadField(const double* values, double scale, const ClusterRun& run, std::size_t stride,
                T* to);

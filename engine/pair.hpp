@@ -36,9 +36,9 @@ struct ParticleView {
   Real density;
   Real pressure;
   Real smoothingLength;
-  Real volume;          ///< m/rho
-  Real specificVolume;  ///< 1/rho
-  Real specificStress;  ///< p/rho^2
+  Real volume;                      ///< m/rho
+  Real specificVolume;              ///< 1/rho
+  Real pressureOverDensitySquared;  ///< p/rho^2
 
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
@@ -49,7 +49,8 @@ struct ParticleView {
     visit(FieldTag<FieldId::smoothingLength>{}, &ParticleView::smoothingLength);
     visit(FieldTag<FieldId::volume>{}, &ParticleView::volume);
     visit(FieldTag<FieldId::specificVolume>{}, &ParticleView::specificVolume);
-    visit(FieldTag<FieldId::specificStress>{}, &ParticleView::specificStress);
+    visit(FieldTag<FieldId::pressureOverDensitySquared>{},
+          &ParticleView::pressureOverDensitySquared);
   }
 };
 
@@ -101,7 +102,7 @@ template <class Real, int Dim>
 struct Sums {
   Real density{0};
   Real velocityDivergence{0};
-  VectorSum<Real, Dim> acceleration;
+  VectorSum<Real, Dim> acceleration;  ///< what is no exchange: for terms that are not symmetric
 
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
@@ -131,7 +132,8 @@ struct KernelValues {
   Real W, F;
 };
 
-/// A pair of neighbours. Where particles have smoothing lengths of their own, h, W and F are the
+/// A pair of neighbours. Units are SI in the formulas; loops may compute in others (units.hpp).
+/// Where particles have smoothing lengths of their own, h, W and F are the
 /// means of those of i and j.
 template <class Real, int Dim>
 struct Pair {

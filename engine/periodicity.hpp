@@ -8,7 +8,7 @@
 
 namespace plenum {
 
-/// The periods of a box in the form that a pair loop wants: no branch, no rounding call. Valid for
+/// The periods of a box. Valid for
 /// differences shorter than 1.5 periods, which holds for particles that were wrapped when the
 /// neighbour list was made.
 template <int Dim>
@@ -24,8 +24,6 @@ struct Periodicity {
         half[a] = 0.5 * period[a];
       }
   }
-
-  bool any() const { return period != Vec<Dim>{}; }
 
   Vec<Dim> nearestImage(Vec<Dim> d) const {
     for (int a = 0; a < Dim; ++a) {

@@ -35,7 +35,7 @@ constexpr float farAway = 1e18f;
 template <class Value>
 void copyWithRoom(const std::vector<Value>& from, std::vector<Value>& to, double part) {
   if (to.capacity() < from.size()) {
-    to = {};
+    to = std::vector<Value>();  // frees the old one before
     to.reserve(from.size() + static_cast<std::size_t>(part * static_cast<double>(from.size())) +
                32);
   }

@@ -8,16 +8,16 @@
 
 namespace plenum {
 
-/// The tiles of a chunk, and the numbers of all clusters. In a block, the `clusterSize` numbers of
-/// one component follow each other.
+/// The tiles of a chunk, and the numbers of all clusters, in the engine's units. In a block, the
+/// `clusterSize` numbers of one component follow each other.
 template <int Dim, class T>
 struct TileWork {
-  TileCounts* counts;    ///< of half clusters, first those of `firstCluster`
+  TileCounts* counts;    ///< of half clusters, two a cluster of the chunk
   std::uint16_t* tiles;  ///< places in `locals`; the near ones of each kind come first
   const LocalCluster<Dim>* locals;
   std::uint32_t nClusters;    ///< of the chunk itself: the first of `locals`
-  const T* positions;         ///< [cluster][axis][particle], relative to the cluster's origin [m]
-  const T* smoothingLengths;  ///< [cluster][particle] [m]; null if all have the same support
+  const T* positions;         ///< [cluster][axis][particle], relative to the cluster's origin
+  const T* smoothingLengths;  ///< [cluster][particle]; null if all have the same support
   const T* fields;            ///< [cluster][component][particle], what the pass reads
   T* sums;                    ///< [place][component][particle], what the pass writes
   bool fluidTiles;            ///< sums from fluids are asked for

@@ -41,7 +41,7 @@ enum class FieldId : std::uint8_t {
   // computed from others as pairs are loaded, never stored
   volume,
   specificVolume,
-  specificStress,
+  pressureOverDensitySquared,
   // sums of a step
   velocityDivergence,
   acceleration,
@@ -169,9 +169,9 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      false,
      "1/density",
      {-1, 0, 1, 0}},
-    {FieldId::specificStress,
-     "specific_stress",
-     "SpecificStresses",
+    {FieldId::pressureOverDensitySquared,
+     "pressure_over_density_squared",
+     "PressuresOverDensitySquared",
      "m^(d+2)/(kg s^2)",
      Rank::scalar,
      Scope::all,
@@ -246,7 +246,8 @@ inline constexpr Field<Rank::vector> normal{FieldId::normal};
 inline constexpr Field<Rank::scalar> wallDistance{FieldId::wallDistance};
 inline constexpr Field<Rank::scalar> volume{FieldId::volume};
 inline constexpr Field<Rank::scalar> specificVolume{FieldId::specificVolume};
-inline constexpr Field<Rank::scalar> specificStress{FieldId::specificStress};
+inline constexpr Field<Rank::scalar> pressureOverDensitySquared{
+    FieldId::pressureOverDensitySquared};
 inline constexpr Field<Rank::scalar> velocityDivergence{FieldId::velocityDivergence};
 inline constexpr Field<Rank::vector> acceleration{FieldId::acceleration};
 inline constexpr Field<Rank::vector> force{FieldId::force};

@@ -12,7 +12,7 @@ namespace plenum {
 /// The passes of a step, as the case asks for them; empty where the scene does not model it.
 template <int Dim>
 struct StepPasses {
-  PairPass<Dim> density;     ///< writes density or its rate
+  PairPass<Dim> density;     ///< writes density or velocityDivergence
   PairPass<Dim> forces;      ///< writes force
   PairPass<Dim> collisions;  ///< writes impulse
 };

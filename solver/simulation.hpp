@@ -20,7 +20,8 @@ class Simulation {
   /// One step of symplectic Euler, as the sources have it: density, pressure and forces at the old
   /// positions, then the velocities, then the positions. dt [s] <= maxTimeStep() unless the case
   /// fixes it. Throws RunError, before anything moves, if a force or velocity is not finite or a
-  /// density not positive.
+  /// density not positive: positions and time are those before the step then, densities (and, if
+  /// collisions failed, velocities) may be the new ones.
   void step(double dt);
 
   /// Steps until `target` [s] is met exactly, in steps of equal length where the step is fixed.

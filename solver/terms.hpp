@@ -37,13 +37,14 @@ struct Continuity {
 /// m_i dv_i/dt = -sum_j m_i m_j (p_i/rho_i^2 + p_j/rho_j^2) grad_i W_ij   [N].  [C] (2.3);
 /// the partner of DensitySum.
 struct PressureDensitySquared {
-  static constexpr FieldSet reads{field::mass, field::specificStress};
+  static constexpr FieldSet reads{field::mass, field::pressureOverDensitySquared};
   static constexpr FieldSet writes{field::force};
   static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
   [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
-    i.force -= ij.i.mass * ij.j.mass * (ij.i.specificStress + ij.j.specificStress) * ij.gradW();
+    i.force -= ij.i.mass * ij.j.mass *
+               (ij.i.pressureOverDensitySquared + ij.j.pressureOverDensitySquared) * ij.gradW();
   }
 };
 

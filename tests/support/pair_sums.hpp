@@ -6,6 +6,7 @@
 #include "engine/engine.hpp"
 #include "engine/layout.hpp"
 #include "engine/pair_loop.hpp"
+#include "engine/pass_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +66,7 @@ ParticleView<long double, Dim> viewOf(const ParticleSet<Dim>& particles, std::si
       particles.has(field::smoothingLength) ? particles[field::smoothingLength][i] : 0;
   view.volume = view.mass / view.density;
   view.specificVolume = 1 / view.density;
-  view.specificStress = view.pressure / (view.density * view.density);
+  view.pressureOverDensitySquared = view.pressure / (view.density * view.density);
   return view;
 }
 
@@ -207,6 +208,23 @@ double worstDeviation(const Engine<Dim>& engine, FieldSet writes, const Particle
   Sums<double, Dim>::forEachMember(compareField);
   Exchange<double, Dim>::forEachMember(compareField);
   return worst;
+}
+
+/// What sums are accurate to, in units of the typical sum of |pair terms|. Double: some 100
+/// additions of 1.1e-16 each. Mixed: positions relative to clusters and sums in float, 6e-8 each;
+/// kernels that are steep at r = 0 multiply the error of the closest pairs.
+constexpr double toleranceOf(Precision precision) {
+  return precision == Precision::mixed ? 1e-5 : 1e-13;
+}
+
+/// How wrong an engine's sums of GradientProbe are, for fluids from all.
+template <int Dim>
+double deviationOf(Engine<Dim>& engine, const ParticleSet<Dim>& particles, const Box<Dim>& box) {
+  const Pass<kernel::WendlandC2, GradientProbe> pass{{}, 0.5 * engine.support(), {}};
+  engine.run(passOf<Dim>(pass), particles);
+  return worstDeviation(engine, pass.writes, particles,
+                        sumOfAllPairs<Dim>(pass, particles, box, Group::fluids, Group::all),
+                        Group::fluids);
 }
 
 inline const char* nameOf(Precision precision) {

@@ -20,21 +20,6 @@ template <class T>
 class EngineTest : public testing::Test {};
 TYPED_TEST_SUITE(EngineTest, test::Dimensions);
 
-/// How wrong the engine's sums are, for fluids from all.
-template <int Dim>
-double deviationOf(Engine<Dim>& engine, const ParticleSet<Dim>& particles, const Box<Dim>& box) {
-  const Pass<kernel::WendlandC2, test::GradientProbe> pass{{}, 0.5 * engine.support(), {}};
-  engine.run(passOf<Dim>(pass), particles);
-  return test::worstDeviation(
-      engine, pass.writes, particles,
-      test::sumOfAllPairs<Dim>(pass, particles, box, Group::fluids, Group::all), Group::fluids);
-}
-
-/// See pair_loop_test.cpp.
-constexpr double toleranceOf(Precision precision) {
-  return precision == Precision::mixed ? 1e-5 : 1e-13;
-}
-
 TYPED_TEST(EngineTest, SearchesOnlyWhenSomebodyMayHaveMovedHalfTheSkin) {
   constexpr int Dim = TypeParam::value;
   const Box<Dim> box = test::unitBox<Dim>(false);
@@ -65,7 +50,7 @@ TYPED_TEST(EngineTest, SumsAreRightWhileParticlesMove) {
       std::size_t nSearches = 0;
       for (int step = 0; step < 21; ++step) {
         nSearches += engine.update(particles);
-        EXPECT_LE(deviationOf(engine, particles, box), toleranceOf(precision))
+        EXPECT_LE(test::deviationOf(engine, particles, box), test::toleranceOf(precision))
             << test::nameOf(precision) << ", step " << step;
         for (auto& x : particles[field::position]) {
           Vec<Dim> way;
@@ -98,7 +83,7 @@ TYPED_TEST(EngineTest, SumsAreRightWhereClustersSpanAPeriod) {
         engine.update(particles);
         // Of so few pairs all may be at the rim of the support, where W is small and as wrong as
         // elsewhere.
-        EXPECT_LE(deviationOf(engine, particles, box), 10 * toleranceOf(precision))
+        EXPECT_LE(test::deviationOf(engine, particles, box), 10 * test::toleranceOf(precision))
             << test::nameOf(precision) << ", " << n << " particles, step " << step;
         for (auto& x : particles[field::position])
           for (int a = 0; a < Dim; ++a) x[a] += 0.02 / std::sqrt(Dim) * uniform(generator);
@@ -115,7 +100,8 @@ TYPED_TEST(EngineTest, NoticesThatThereAreOtherParticles) {
   for (const std::size_t n : {100, 300, 0, 7}) {
     auto particles = test::randomParticles<Dim>(box, n, n / 3);
     EXPECT_TRUE(engine.update(particles));
-    EXPECT_LE(deviationOf(engine, particles, box), toleranceOf(Precision::doubled)) << n;
+    EXPECT_LE(test::deviationOf(engine, particles, box), test::toleranceOf(Precision::doubled))
+        << n;
   }
 }
 
@@ -132,10 +118,10 @@ void expectRightWithStrays(double distance) {
         x[i] += Vec<Dim>::filled(i % 2 == 0 ? distance : -distance);
       Engine<Dim> engine(box, {0.3, 0.2, false, precision});
       engine.update(particles);
-      const double deviation = deviationOf(engine, particles, box);
+      const double deviation = test::deviationOf(engine, particles, box);
       // Not more than what positions of that size are rounded to, and twice that, in h.
       const double rounding = precision == Precision::mixed ? 0 : 4e-16 * distance / 0.15;
-      EXPECT_LE(deviation, toleranceOf(precision) + rounding)
+      EXPECT_LE(deviation, test::toleranceOf(precision) + rounding)
           << test::nameOf(precision) << ", " << nStrays << " strays, " << distance << " m away";
       std::cout << "  " << nStrays << " strays at " << distance << " m, " << test::nameOf(precision)
                 << ": " << deviation << "\n";

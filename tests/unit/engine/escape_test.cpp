@@ -27,20 +27,6 @@ TYPED_TEST_SUITE(EscapeTest, test::Dimensions);
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// See pair_loop_test.cpp.
-constexpr double toleranceOf(Precision precision) {
-  return precision == Precision::mixed ? 1e-5 : 1e-13;
-}
-
-template <int Dim>
-double deviationOf(Engine<Dim>& engine, const ParticleSet<Dim>& particles, const Box<Dim>& box) {
-  const Pass<kernel::WendlandC2, test::GradientProbe> pass{{}, 0.5 * engine.support(), {}};
-  engine.run(passOf<Dim>(pass), particles);
-  return test::worstDeviation(
-      engine, pass.writes, particles,
-      test::sumOfAllPairs<Dim>(pass, particles, box, Group::fluids, Group::all), Group::fluids);
-}
-
 template <int Dim>
 std::string refusal(Engine<Dim>& engine, ParticleSet<Dim>& particles) {
   try {
@@ -89,7 +75,7 @@ TYPED_TEST(EscapeTest, APositionThatIsNoNumberIsNamedAndNothingChanges) {
         }
         particles[field::position][bad][Dim - 1] = before;
         EXPECT_TRUE(engine.update(particles)) << "must search anew";
-        EXPECT_LE(deviationOf(engine, particles, box), toleranceOf(Precision::mixed));
+        EXPECT_LE(test::deviationOf(engine, particles, box), test::toleranceOf(Precision::mixed));
       }
 }
 
@@ -170,10 +156,10 @@ TYPED_TEST(EscapeTest, MemoryIsBoundedAndSumsAreRightWhileParticlesFlyAway) {
       EXPECT_EQ(engine.precision(), Precision::doubled) << "step " << step;
     }
     if (step % 100 != 0) continue;
-    const double deviation = deviationOf(engine, flight.particles, flight.box);
+    const double deviation = test::deviationOf(engine, flight.particles, flight.box);
     worst = std::max(worst, deviation);
     // Those that stayed are where they were: the distance of the others must not show.
-    EXPECT_LE(deviation, toleranceOf(engine.precision())) << "step " << step;
+    EXPECT_LE(deviation, test::toleranceOf(engine.precision())) << "step " << step;
   }
   std::cout << "  largest deviation " << worst << ", bytes " << early << ", " << late << "\n";
   // The list of these few particles varies with who shares a cluster with a stray, not with the

@@ -40,13 +40,14 @@ struct Probe {
 /// What i gets and j loses, along r_ij and otherwise, from every field that is derived.
 struct ExchangeProbe {
   static constexpr FieldSet reads{field::velocity, field::volume, field::specificVolume,
-                                  field::specificStress};
+                                  field::pressureOverDensitySquared};
   static constexpr FieldSet writes{field::force};
   static constexpr bool usesKernel = true;
 
   template <class Real, int Dim>
   void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
-    i.force -= ij.i.volume * ij.j.volume * (ij.i.specificStress + ij.j.specificStress) * ij.gradW();
+    i.force -= ij.i.volume * ij.j.volume *
+               (ij.i.pressureOverDensitySquared + ij.j.pressureOverDensitySquared) * ij.gradW();
     i.force += Real(0.1) * ij.W *
                (ij.i.specificVolume * ij.i.velocity - ij.j.specificVolume * ij.j.velocity);
   }
@@ -94,19 +95,12 @@ template <class T>
 class PairLoopTest : public testing::Test {};
 TYPED_TEST_SUITE(PairLoopTest, test::Dimensions);
 
-/// What sums are accurate to, in units of the typical sum of |pair terms|. Double: some 100
-/// additions of 1.1e-16 each. Mixed: positions relative to clusters and sums in float, 6e-8 each;
-/// kernels that are steep at r = 0 multiply the error of the closest pairs.
-constexpr double toleranceOf(Precision precision) {
-  return precision == Precision::mixed ? 1e-5 : 1e-13;
-}
-
 struct Worst {
   double mixed = 0, doubled = 0;
   void note(Precision precision, double deviation) {
     double& worst = precision == Precision::mixed ? mixed : doubled;
     worst = std::max(worst, deviation);
-    EXPECT_LE(deviation, toleranceOf(precision)) << test::nameOf(precision);
+    EXPECT_LE(deviation, test::toleranceOf(precision)) << test::nameOf(precision);
   }
   ~Worst() {
     std::cout << "  largest deviation / typical sum of |terms|: mixed " << mixed << ", double "
@@ -174,7 +168,7 @@ TYPED_TEST(PairLoopTest, EveryKernelChosenAtRunTimeEqualsTheDoubleLoop) {
       const double deviation = test::worstDeviation(
           engine, pass.writes, particles,
           test::sumOfAllPairs<Dim>(pass, particles, box, Group::fluids, Group::all), Group::fluids);
-      EXPECT_LE(deviation, toleranceOf(precision)) << name << ", " << test::nameOf(precision);
+      EXPECT_LE(deviation, test::toleranceOf(precision)) << name << ", " << test::nameOf(precision);
       std::cout << "  " << name << ", " << test::nameOf(precision) << ": " << deviation << "\n";
     }
   }
@@ -322,7 +316,7 @@ void expectRightInUnitsOf(double length, double mass, double time) {
                   engine, pass.writes, particles,
                   test::sumOfAllPairs<Dim>(pass, particles, box, Group::fluids, Group::all),
                   Group::fluids),
-              toleranceOf(precision))
+              test::toleranceOf(precision))
         << test::nameOf(precision) << ", unit of length " << length << " m";
   }
 }

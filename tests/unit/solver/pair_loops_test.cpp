@@ -31,9 +31,6 @@ PassChoice choiceOf(const std::string& kernel, int termList) {
   return choice;
 }
 
-/// See pair_loop_test.cpp. Terms of two quotients and cancelling pressures are off by some more.
-double toleranceOf(Precision precision) { return precision == Precision::mixed ? 1e-5 : 1e-13; }
-
 template <int Dim, class List>
 double deviationOf(InstructionSet set, Precision precision, const PassChoice& choice, List list) {
   const Box<Dim> box = test::unitBox<Dim>(true);
@@ -77,7 +74,7 @@ void expectEqualToDoubleLoop() {
         for (const char* kernel : {"cubic_spline", "wendland_c2", "convex", "quintic_spline"}) {
           const double deviation =
               deviationOf<Dim>(set, precision, choiceOf(kernel, termList), list);
-          EXPECT_LE(deviation, toleranceOf(precision))
+          EXPECT_LE(deviation, test::toleranceOf(precision))
               << nameOf(set) << ", " << test::nameOf(precision) << ", list " << termList << ", "
               << kernel;
           worst = std::max(worst, deviation);
