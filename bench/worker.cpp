@@ -20,10 +20,11 @@ namespace {
 
 enum Status : char { done, failed };
 
-bool readAll(int file, void* to, std::size_t bytes) {
-  auto* at = static_cast<char*>(to);
+/// Reads or writes, as `transfer` does, until all is through. False where the other end is closed.
+template <class Transfer, class Byte>
+bool transferAll(Transfer transfer, int file, Byte* at, std::size_t bytes) {
   while (bytes > 0) {
-    const ssize_t n = read(file, at, bytes);
+    const ssize_t n = transfer(file, at, bytes);
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) return false;
     at += n;
@@ -32,16 +33,12 @@ bool readAll(int file, void* to, std::size_t bytes) {
   return true;
 }
 
+bool readAll(int file, void* to, std::size_t bytes) {
+  return transferAll(read, file, static_cast<char*>(to), bytes);
+}
+
 bool writeAll(int file, const void* from, std::size_t bytes) {
-  const auto* at = static_cast<const char*>(from);
-  while (bytes > 0) {
-    const ssize_t n = write(file, at, bytes);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    at += n;
-    bytes -= static_cast<std::size_t>(n);
-  }
-  return true;
+  return transferAll(write, file, static_cast<const char*>(from), bytes);
 }
 
 [[noreturn]] void work(const std::function<WorkerProcess::Serve()>& prepare, int requests,

@@ -48,11 +48,8 @@ std::size_t selectBoxes(const BoxRows<Dim>& boxes, std::size_t n, const FloatBox
                         std::uint32_t* near) {
   using Real = Lanes<Isa>;
   std::uint32_t* next = near;
-  for (std::size_t k = 0; k < n; k += Real::size) {
-    unsigned bits = nearBoxes<Real>(boxes, k, box);
-    if (n - k < Real::size) bits &= (1u << (n - k)) - 1;
-    next = writePlaces(bits, k, next);
-  }
+  for (std::size_t k = 0; k < n; k += Real::size)
+    next = writePlaces(nearBoxes<Real>(boxes, k, box), k, next);
   return static_cast<std::size_t>(next - near);
 }
 

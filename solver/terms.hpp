@@ -81,11 +81,11 @@ struct MonaghanViscosity {
   template <class Real, int Dim>
   [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
     const Real softened = ij.distanceSquared + Real(0.01) * ij.h * ij.h;
-    const Real twiceMean = ij.i.specificVolume + ij.j.specificVolume;
-    const Real muOverMean = ij.h * negativePart(ij.velocityDotR) / (softened * twiceMean);
-    const Real mu = muOverMean * twiceMean;
+    const Real specificVolumes = ij.i.specificVolume + ij.j.specificVolume;
+    const Real muPerVolume = ij.h * negativePart(ij.velocityDotR) / (softened * specificVolumes);
+    const Real mu = muPerVolume * specificVolumes;
     i.force -= ij.i.volume * ij.j.volume *
-               (muOverMean * (Real(2 * beta) * mu - Real(2 * alpha * soundSpeed))) * ij.gradW();
+               (muPerVolume * (Real(2 * beta) * mu - Real(2 * alpha * soundSpeed))) * ij.gradW();
   }
 };
 
