@@ -22,8 +22,11 @@ constexpr double cfl = 0.4;
 /// What a state was made from; a file with other words is made anew.
 template <int Dim>
 std::string recipe(std::size_t n, const Setup<Dim>& start) {
-  return fmt::format("dam break {}: {} particles, h = {} d_ref, g = {:.9g}, cfl {}, t = sqrt(H/g)",
-                     Dim, n, start.settings.smoothingLength, -start.settings.gravity.back(), cfl);
+  const Box<Dim>& tank = start.scene.info.domain;
+  return fmt::format(
+      "dam break {}: {} particles, h = {} d_ref, g = {:.9g}, cfl {}, tank {:.9g}, t = sqrt(H/g)",
+      Dim, n, start.settings.smoothingLength, -start.settings.gravity.back(), cfl,
+      tank.upper[0] - tank.lower[0]);
 }
 
 }  // namespace

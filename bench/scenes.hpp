@@ -16,9 +16,9 @@ struct Setup {
 };
 
 /// About `n` particles of water, a column twice as high as wide in 2-D and a cube in 3-D, in an
-/// open tank twice as long: a hexagonal or hcp lattice at rest with the density of the hydrostatic
-/// pressure. Gravity makes c = 10 sqrt(2 g H). Continuity, pressure, Monaghan's viscosity; density
-/// and pressure of walls follow the fluid's equations.
+/// open tank three times (3-D: twice) as long: a hexagonal or hcp lattice at rest with the density
+/// of the hydrostatic pressure. Gravity makes c = 10 sqrt(2 g H). Continuity, pressure, Monaghan's
+/// viscosity; density and pressure of walls follow the fluid's equations.
 template <int Dim>
 Setup<Dim> damBreakAtRest(std::size_t n);
 
