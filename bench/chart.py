@@ -74,7 +74,7 @@ def main():
     panels, left_out = curves(bench["benchmarks"])
     if not panels:
         sys.exit(f"chart.py: {sys.argv[1]}: holds no measurement of an undisturbed step")
-    note = f"; {left_out} measurements on a busy machine left out" if left_out else ""
+    note = f"; {left_out} measured on a busy machine left out" if left_out else ""
     script = f"""set terminal pngcairo size {100 + 620 * len(panels)},640 font 'DejaVu Sans,11'
 set output '{sys.argv[2]}'
 set multiplot layout 1,{len(panels)} title "Cost of a step, upkeep included \
