@@ -102,12 +102,18 @@ template <class Real, int Dim>
 struct Sums {
   Real density{0};
   Real velocityDivergence{0};
+  Real kernelSum{0};
+  VectorSum<Real, Dim> kernelGradient;
+  VectorSum<Real, Dim> push;
   VectorSum<Real, Dim> acceleration;  ///< what is no exchange: for terms that are not symmetric
 
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
     visit(FieldTag<FieldId::density>{}, &Sums::density);
     visit(FieldTag<FieldId::velocityDivergence>{}, &Sums::velocityDivergence);
+    visit(FieldTag<FieldId::kernelSum>{}, &Sums::kernelSum);
+    visit(FieldTag<FieldId::kernelGradient>{}, &Sums::kernelGradient);
+    visit(FieldTag<FieldId::push>{}, &Sums::push);
     visit(FieldTag<FieldId::acceleration>{}, &Sums::acceleration);
   }
 };

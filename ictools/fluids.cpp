@@ -21,7 +21,7 @@ const char* axisName(int axis) {
 }
 
 template <int Dim>
-void checkBounds(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, const Warn& warn) {
+void checkBounds(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, const Warn& warn) {
   const CaseNode& node = at(fluid.settings.node, "region");
   if (!fluid.region) {
     for (int a = 0; a < Dim; ++a)
@@ -45,6 +45,7 @@ void checkBounds(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, cons
     const double beyond =
         std::max(frame.domain.lower[a] - bounds.lower[a], bounds.upper[a] - frame.domain.upper[a]);
     if (!(beyond > surfaceRoundOff * frame.spacing)) continue;
+    fluid.isCut = true;
     const char* exactKey = fluid.settings.mass == "exact"       ? "mass"
                            : fluid.settings.lattice == "random" ? "lattice"
                                                                 : nullptr;

@@ -21,6 +21,13 @@ struct FluidFill {
   Measure volume;             ///< of the region [m^d]
   double particleVolume = 0;  ///< [m^d]
   std::size_t nCovered = 0;   ///< places left to an earlier fluid
+  bool isCut = false;         ///< the region reaches beyond periodic faces
+
+  /// That a particle has if the fluid fills what is its own [m^d].
+  double meanVolume() const {
+    const bool ownsRegion = nCovered == 0 && !isCut;
+    return ownsRegion ? volume.value / static_cast<double>(points.size()) : lattice.cellVolume();
+  }
 };
 
 /// Checks a fluid and sets up its lattice: fitted to periodic axes, at its origin or by the

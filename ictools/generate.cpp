@@ -122,11 +122,19 @@ SceneInfo<Dim> sceneInfo(const CaseNode& root, const CaseSettings& settings,
   return info;
 }
 
+template <int Dim>
+void addFigures(const RelaxationResult& relaxed, SceneInfo<Dim>& info) {
+  info.quality.emplace_back("relaxation: iterations", relaxed.history.back().iteration);
+  info.quality.emplace_back("relaxation: scatter of the kernel sum", relaxed.best.scatter);
+  info.quality.emplace_back("relaxation: largest deviation of the kernel sum", relaxed.best.worst);
+}
+
 }  // namespace
 
 template <int Dim>
 Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
-                    const std::filesystem::path& casePath, const Warn& warn) {
+                    const std::filesystem::path& casePath, const Warn& warn,
+                    const RelaxationWatch& watch) {
   const SceneFrame<Dim> frame = sceneFrame<Dim>(root, settings);
   const Regions<Dim> regions(settings, casePath.parent_path());
   auto fluids = prepareFluids(settings, regions, frame, warn);
@@ -139,6 +147,9 @@ Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
   Box<Dim> containerBox = Box<Dim>::nothing();
   for (const auto& region : container) containerBox.extend(region->bounds());
   fillWalls(walls, fluids, containerBox, frame);
+  std::optional<RelaxationResult> relaxed;
+  if (const auto relaxation = readRelax(settings))
+    relaxed = relax(fluids, walls, frame, *relaxation, watch);
   measureThickness(walls, frame, warn);
 
   Scene<Dim> scene{sceneInfo(root, settings, casePath, frame, fluids, walls),
@@ -147,14 +158,15 @@ Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
   scene.info.container = containerMap(container, frame);
   scene.info.quality =
       qualityFigures(fluids, walls, scene.particles, scene.info.domain, frame.spacing);
+  if (relaxed) addFigures(*relaxed, scene.info);
   return scene;
 }
 
 template Scene<1> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
-                           const Warn&);
+                           const Warn&, const RelaxationWatch&);
 template Scene<2> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
-                           const Warn&);
+                           const Warn&, const RelaxationWatch&);
 template Scene<3> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
-                           const Warn&);
+                           const Warn&, const RelaxationWatch&);
 
 }  // namespace plenum

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ictools/relaxation.hpp"
 #include "ictools/scene_frame.hpp"
 #include "particles/scene.hpp"
 
@@ -17,7 +18,8 @@ namespace plenum {
 /// figures that `describe` prints. Throws InputError with file, line, key and remedy.
 template <int Dim>
 Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
-                    const std::filesystem::path& casePath, const Warn& warn);
+                    const std::filesystem::path& casePath, const Warn& warn,
+                    const RelaxationWatch& watch = {});
 
 /// Particles, masses, spacings and layers in some lines, for the terminal.
 template <int Dim>

@@ -150,6 +150,29 @@ const Section<WallSettings>& wallSection() {
   return section;
 }
 
+const Section<RelaxSettings>& relaxSection() {
+  using S = RelaxSettings;
+  static const Section<S> section =
+      Section<S>("moves particles until the kernel sums over their neighbours are even")
+          .text(
+              "method", &S::method,
+              "packing: as a gas with friction; wvt: weighted Voronoi moves; lloyd: to the centres "
+              "of Voronoi cells",
+              {"packing", "wvt", "lloyd"})
+          .number(
+              "tolerance", &S::tolerance, "", Range::above(0, 1),
+              "standard deviation of the kernel sum over its mean that must be reached; absent: "
+              "as far as it falls")
+          .integer("max_iterations", &S::maxIterations, Range::between(1, 1e6), "at most")
+          .flag("may_fail", &S::mayFail, "a tolerance that is not reached is only a warning");
+  return section;
+}
+
+std::optional<RelaxSettings> readRelax(const CaseSettings& settings) {
+  if (!settings.relax) return std::nullopt;
+  return relaxSection().read(*settings.relax, settings.dimension);
+}
+
 std::vector<FluidSettings> readFluids(const CaseSettings& settings) {
   std::vector<FluidSettings> fluids;
   for (const CaseNode& node : settings.fluids->asArray()) {
@@ -187,6 +210,7 @@ std::vector<SectionDoc> caseDocs() {
   for (SectionDoc& doc : geometryDocs()) docs.push_back(std::move(doc));
   docs.push_back(fluidSection().doc("fluid"));
   docs.push_back(wallSection().doc("wall"));
+  docs.push_back(relaxSection().doc("relax"));
   return docs;
 }
 

@@ -31,6 +31,14 @@ struct FluidSettings {
   CaseNode node;  ///< where it stands, for messages
 };
 
+/// How particles are arranged before a run (relaxation.hpp).
+struct RelaxSettings {
+  std::string method = "packing";
+  std::optional<double> tolerance;  ///< of the scatter of the kernel sum; absent: what it can reach
+  int maxIterations = 1000;
+  bool mayFail = false;  ///< not to reach the tolerance is a warning only
+};
+
 struct RotationSettings {
   std::optional<double> rpm;
   std::optional<double> omega;
@@ -58,6 +66,10 @@ struct WallSettings {
 
 const Section<FluidSettings>& fluidSection();
 const Section<WallSettings>& wallSection();
+
+const Section<RelaxSettings>& relaxSection();
+/// Nothing if the case has no [relax] table.
+std::optional<RelaxSettings> readRelax(const CaseSettings& settings);
 
 /// Names that are missing are filled in; names that occur twice, keys that exclude each other and
 /// lattices of another dimension are InputErrors.

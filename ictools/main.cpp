@@ -7,6 +7,7 @@
 #include "particles/errors.hpp"
 #include "particles/particle_file.hpp"
 #include "particles/picture.hpp"
+#include "particles/progress.hpp"
 #include "particles/version.hpp"
 
 #include <fmt/format.h>
@@ -44,6 +45,36 @@ void warn(const std::string& message) {
   std::cerr << "plenum-ic: warning: " << message << std::endl;
 }
 
+/// Shows how a relaxation goes on.
+class RelaxationProgress {
+ public:
+  explicit RelaxationProgress(bool quiet) : quiet_(quiet) {}
+
+  RelaxationWatch watch() {
+    return {[this](const RelaxationState& state) { show(state); },
+            [this](const RelaxationResult& result) { end(result); }};
+  }
+
+  int exitCode() const { return failed_ ? exitInputAtFault : exitOk; }
+
+ private:
+  void show(const RelaxationState& state) {
+    if (!progress_) progress_.emplace("relaxing", 0, quiet_);
+    progress_->update(
+        0, fmt::format("iteration {}: scatter {:.3f} %, moves {:.4f} d_ref", state.iteration,
+                       100 * state.scatter, state.iteration == 0 ? 0 : state.move));
+  }
+  void end(const RelaxationResult& result) {
+    progress_->finish(fmt::format("scatter {:.3f} % at iteration {} of {}: {}",
+                                  100 * result.best.scatter, result.best.iteration,
+                                  result.history.back().iteration, result.reason));
+    failed_ = !result.settled;
+  }
+
+  bool quiet_, failed_ = false;
+  std::optional<Progress> progress_;
+};
+
 /// Calls visit(std::integral_constant<int, Dim>) for the case's dimension.
 template <class Visit>
 void withDimension(int dimension, Visit&& visit) {
@@ -54,7 +85,7 @@ void withDimension(int dimension, Visit&& visit) {
 
 /// Reads the case with the values of --set, makes the scene and calls use(scene).
 template <class Use>
-void withGenerated(const Options& options, Use&& use) {
+void withGenerated(const Options& options, const RelaxationWatch& watch, Use&& use) {
   CaseNode root = CaseNode::load(options.input);
   for (const std::string& assignment : options.set) {
     const auto [key, value] = CaseNode::splitAssignment(assignment);
@@ -62,7 +93,7 @@ void withGenerated(const Options& options, Use&& use) {
   }
   const CaseSettings settings = readCase(root);
   withDimension(settings.dimension, [&](auto dimension) {
-    use(plenum::generate<dimension.value>(root, settings, options.input, warn));
+    use(plenum::generate<dimension.value>(root, settings, options.input, warn, watch));
   });
 }
 
@@ -84,14 +115,15 @@ fs::path outputPath(const Options& options, const char* ending) {
 int runGenerate(const Options& options) {
   CaseNode::load(options.input);  // says so at once if it is no case
   const fs::path path = outputPath(options, ".hdf");
-  withGenerated(options, [&](const auto& scene) {
+  RelaxationProgress relaxing(options.quiet);
+  withGenerated(options, relaxing.watch(), [&](const auto& scene) {
     writeParticleFile(path, scene);
     if (options.quiet) return;
     std::cout << describe(scene);
     std::cout << fmt::format("  {}: {:.2f} MB\nnext: plenum-sph run {}\n", path.string(),
                              static_cast<double>(fs::file_size(path)) / 1e6, path.string());
   });
-  return exitOk;
+  return relaxing.exitCode();
 }
 
 int runPreview(const Options& options) {
@@ -101,7 +133,7 @@ int runPreview(const Options& options) {
     if (!options.quiet) std::cout << path.string() << '\n';
   };
   if (fs::path(options.input).extension() == ".toml")
-    withGenerated(options, draw);
+    withGenerated(options, {}, draw);
   else
     withParticleFile(options.input, draw);
   return exitOk;

@@ -113,6 +113,7 @@ const Section<CaseSettings>& caseSection() {
           .node("fluid", &S::fluids, "list of tables", "fluids, each filling a region")
           .required()
           .node("wall", &S::walls, "list of tables", "walls, each behind a surface")
+          .node("relax", &S::relax, "table", "arranges the particles until they stand evenly")
           .text("container", &S::container,
                 "region in which fluid may be, for the measures; absent: where it starts")
           .section("solver", &S::solver, solverSection())

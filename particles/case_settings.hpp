@@ -49,7 +49,7 @@ struct SolverSettings {
   std::optional<double> timeStep;  ///< fixed [s]; absent: from cfl
   double cfl = 0.2;
   std::string precision = "mixed";  ///< of pairs; the state is in double
-  double endTime = 1;  ///< [s]
+  double endTime = 1;               ///< [s]
 
   /// Density and pressure of walls follow the fluid's equations, instead of standing still.
   bool wallsEvolve() const { return wallPressure == "equation_of_state"; }
@@ -74,6 +74,7 @@ struct CaseSettings {
   std::optional<CaseNode> geometry;
   std::optional<CaseNode> fluids;
   std::optional<CaseNode> walls;
+  std::optional<CaseNode> relax;
   std::string container;  ///< name of the region in which fluid may be; "": where fluid starts
   std::optional<SolverSettings> solver;
   std::optional<OutputSettings> output;

@@ -47,6 +47,11 @@ enum class FieldId : std::uint8_t {
   acceleration,
   force,
   impulse,
+  // sums that judge a particle set or arrange it
+  kernelSum,
+  kernelGradient,
+  push,
+  clearance,
   count
 };
 
@@ -214,6 +219,28 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      false,
      "change of momentum by collisions in this step",
      {1, 1, 0, -1}},
+    {FieldId::kernelSum, "kernel_sum", "KernelSums", "", Rank::scalar, Scope::all, false,
+     "sum of V W over the neighbours; 1 where particles fill space evenly"},
+    {FieldId::kernelGradient,
+     "kernel_gradient",
+     "KernelGradients",
+     "1/m",
+     Rank::vector,
+     Scope::all,
+     false,
+     "sum of V grad W over the neighbours; 0 where particles stand evenly",
+     {0, -1, 0, 0}},
+    {FieldId::push, "push", "Pushes", "", Rank::vector, Scope::fluid, false,
+     "sum of W h^d times the direction away from the neighbour"},
+    {FieldId::clearance,
+     "clearance",
+     "Clearances",
+     "m",
+     Rank::scalar,
+     Scope::fluid,
+     false,
+     "how far a particle that is being arranged may move before it could meet a surface",
+     {0, 1, 0, 0}},
 }};
 
 constexpr const FieldInfo& infoOf(FieldId id) { return fieldTable[static_cast<std::size_t>(id)]; }
@@ -252,6 +279,10 @@ inline constexpr Field<Rank::scalar> velocityDivergence{FieldId::velocityDiverge
 inline constexpr Field<Rank::vector> acceleration{FieldId::acceleration};
 inline constexpr Field<Rank::vector> force{FieldId::force};
 inline constexpr Field<Rank::vector> impulse{FieldId::impulse};
+inline constexpr Field<Rank::scalar> kernelSum{FieldId::kernelSum};
+inline constexpr Field<Rank::vector> kernelGradient{FieldId::kernelGradient};
+inline constexpr Field<Rank::vector> push{FieldId::push};
+inline constexpr Field<Rank::scalar> clearance{FieldId::clearance};
 }  // namespace field
 
 /// A set of fields, usable at compile time.

@@ -64,11 +64,12 @@ void Progress::update(double done, const std::string& extra) {
   const double now = output_.now();
   if (!isDue(now, fraction)) return;
   const double elapsed = now - start_;
-  std::string line = fmt::format("{}: {:.0f} %", label_, std::floor(100 * fraction));
+  std::string line = label_ + ":";
+  if (total_ > 0) line += fmt::format(" {:.0f} %", std::floor(100 * fraction));
   // A first tenth of a second, or nothing done yet, says nothing about the rest.
   if (fraction > 0 && fraction < 1 && elapsed >= redrawEvery)
     line += ", " + printedDuration(elapsed * (1 - fraction) / fraction) + " left";
-  if (!extra.empty()) line += ", " + extra;
+  if (!extra.empty()) line += (total_ > 0 ? ", " : " ") + extra;
   print(line, false);
   lastTime_ = now;
   lastFraction_ = fraction;

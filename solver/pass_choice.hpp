@@ -4,8 +4,8 @@
 // longer one, in `forEachTermList`.
 #pragma once
 
+#include "engine/loop_profile.hpp"
 #include "engine/tile_work.hpp"
-#include "particles/kernels.hpp"
 #include "solver/terms.hpp"
 
 namespace plenum {
@@ -49,56 +49,17 @@ constexpr int indexOf() {
   return index;
 }
 
-/// The profile of terms that use no kernel.
-struct NoKernel {
-  static constexpr std::array sigma{0.0, 0.0, 0.0};
-  template <class Real>
-  static constexpr Real f(Real) {
-    return Real(0);
-  }
-  template <class Real>
-  static constexpr Real g(Real) {
-    return Real(0);
-  }
-};
-
-template <class Profile>
-constexpr Profile profileOf(int kernel) {
-  if constexpr (std::is_same_v<Profile, kernel::Any>)
-    return {KernelId(kernel)};
-  else
-    return {};
-}
-
-/// Sanitizers make loops ten times as long to compile: then all kernels share the generic ones.
-#if defined(PLENUM_GENERIC_LOOPS_ONLY)
-inline constexpr bool genericLoopsOnly = true;
-#else
-inline constexpr bool genericLoopsOnly = false;
-#endif
-
 /// Calls `visit` with the profile that the loops for a kernel have: the kernels that scenes name
 /// have loops of their own in 2-D and 3-D, the others share those of kernel::Any.
 template <int Dim, bool usesKernel, class Visit>
 constexpr void withLoopProfile(int id, Visit&& visit) {
-  if constexpr (!usesKernel) {
+  if constexpr (!usesKernel)
     visit(NoKernel{});
-  } else {
-    bool found = false;
-    const auto tryProfile = [&](auto profile) {
-      if (kernel::indexOf<decltype(profile)>() != id) return;
-      visit(profile);
-      found = true;
-    };
-    if constexpr (Dim > 1 && !genericLoopsOnly) {
-      tryProfile(kernel::CubicSpline{});
-      tryProfile(kernel::WendlandC2{});
-      tryProfile(kernel::WendlandC2OneD{});
-      tryProfile(kernel::WendlandQuadratic{});
-      tryProfile(kernel::Convex{});
-    }
-    if (!found) visit(kernel::Any{});
-  }
+  else if constexpr (Dim == 1)
+    visit(kernel::Any{});
+  else
+    withProfileAmong<kernel::CubicSpline, kernel::WendlandC2, kernel::WendlandC2OneD,
+                     kernel::WendlandQuadratic, kernel::Convex>(id, visit);
 }
 
 /// What a loop was chosen for.

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sums that judge how evenly particles stand, or that tell where they should go. Units for d
+// dimensions.
+#pragma once
+
+#include "engine/common_terms.hpp"
+
+namespace plenum::term {
+
+/// sum_j V_j W_ij(h_i), the particle itself included; 1 where particles fill space evenly.
+struct KernelSum {
+  static constexpr FieldSet reads{field::volume};
+  static constexpr FieldSet writes{field::kernelSum};
+
+  template <class Real, int Dim>
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+    i.kernelSum += ij.j.volume * ij.ofI.W;
+  }
+};
+
+/// sum_j V_j grad_i W_ij  [1/m]; zero where particles stand evenly.
+struct KernelGradientSum {
+  static constexpr FieldSet reads{field::volume};
+  static constexpr FieldSet writes{field::kernelGradient};
+
+  template <class Real, int Dim>
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+    i.kernelGradient += ij.j.volume * ij.gradW();
+  }
+};
+
+/// sum_j h^d W(r_ij, h) r_ij/|r_ij|, h = (h_i + h_j)/2: the push of weighted Voronoi tessellations
+/// without the tessellation. Diehl et al. 2015, doi 10.1017/pasa.2015.50; with the kernel as the
+/// weight: Arth et al. 2019, arXiv 1907.11250.
+struct VoronoiPush {
+  static constexpr FieldSet reads{field::smoothingLength};
+  static constexpr FieldSet writes{field::push};
+
+  template <class Real, int Dim>
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+    const Real tiny = Real(1e-12) * ij.h * ij.h;  // coincident particles do not push each other
+    i.push += power<Dim>(ij.h) * ij.W / squareRoot(max(ij.distanceSquared, tiny)) * ij.r;
+  }
+};
+
+}  // namespace plenum::term

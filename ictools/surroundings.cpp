@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ictools/surroundings.hpp"
+
+#include "ictools/point_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plenum {
+
+namespace {
+
+/// The lattice of a fluid with another spacing; the same points where the spacing is the same.
+template <int Dim>
+Lattice<Dim> continued(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double spacing) {
+  if (spacing == frame.spacing) return fluid.lattice;
+  const std::string& name =
+      fluid.settings.lattice == "random" ? latticeNames(Dim).front() : fluid.settings.lattice;
+  Lattice<Dim> lattice(name, spacing);
+  lattice.fitTo(frame.domain);
+  lattice.startAt(fluid.box.lower);
+  return lattice;
+}
+
+/// Removes the points that `isTaken(k)` names.
+template <int Dim, class IsTaken>
+void eraseTaken(std::vector<Vec<Dim>>& points, IsTaken&& isTaken) {
+  std::size_t k = 0;
+  std::erase_if(points, [&](const Vec<Dim>&) { return isTaken(k++); });
+}
+
+/// Points outside of one fluid, where neither another fluid nor a wall is.
+template <int Dim>
+std::vector<Vec<Dim>> freeShell(const std::vector<FluidFill<Dim>>& fluids, std::size_t own,
+                                const std::vector<WallFill<Dim>>& walls,
+                                const SceneFrame<Dim>& frame, double reach, double spacing) {
+  const FluidFill<Dim>& fluid = fluids[own];
+  const double roundOff = surfaceRoundOff * frame.spacing;
+  const Box<Dim> box = frame.clipped(fluid.box.grown(reach));
+  auto points = latticePoints(continued(fluid, frame, spacing), box, *fluid.region,
+                              DistanceBand{-roundOff, reach});
+  for (std::size_t k = 0; k < fluids.size(); ++k) {
+    if (k == own || !fluids[k].region) continue;
+    // What lies outside of two fluids belongs to the shell of the first.
+    const double within = k < own ? reach : roundOff;
+    const auto distances = signedDistances<Dim>(*fluids[k].region, points);
+    eraseTaken(points, [&](std::size_t i) { return distances[i] <= within; });
+  }
+  for (const WallFill<Dim>& wall : walls) {
+    const auto distances = signedDistances<Dim>(*wall.solid.geometry, points);
+    eraseTaken(points, [&](std::size_t i) {
+      const double depth = wall.solid.depth(distances[i]);
+      return depth >= -roundOff && depth <= wall.thickness + roundOff;
+    });
+  }
+  return points;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<FixedPoint<Dim>> surroundings(const std::vector<FluidFill<Dim>>& fluids,
+                                          const std::vector<WallFill<Dim>>& walls,
+                                          const SceneFrame<Dim>& frame, double reach,
+                                          double spacing) {
+  std::vector<FixedPoint<Dim>> fixed;
+  Box<Dim> box = fluids.front().box;
+  for (const auto& wall : walls)
+    for (const WallPoint<Dim>& point : wall.points) {
+      fixed.push_back({point.position, point.volume});
+      box.extend(point.position);
+    }
+  const bool everywhere = std::ranges::any_of(fluids, [](const auto& f) { return !f.region; });
+  if (everywhere) return fixed;
+  PointGrid<Dim> taken(frame.clipped(box.grown(spacing)), closestInWalls * spacing, fixed.size());
+  for (const FixedPoint<Dim>& point : fixed) taken.insert(point.position);
+  for (std::size_t k = 0; k < fluids.size(); ++k) {
+    const Lattice<Dim> lattice = continued(fluids[k], frame, spacing);
+    for (const Vec<Dim>& x : freeShell(fluids, k, walls, frame, reach, spacing))
+      if (!std::isfinite(taken.nearest(x))) fixed.push_back({x, lattice.cellVolume()});
+  }
+  return fixed;
+}
+
+template std::vector<FixedPoint<1>> surroundings(const std::vector<FluidFill<1>>&,
+                                                 const std::vector<WallFill<1>>&,
+                                                 const SceneFrame<1>&, double, double);
+template std::vector<FixedPoint<2>> surroundings(const std::vector<FluidFill<2>>&,
+                                                 const std::vector<WallFill<2>>&,
+                                                 const SceneFrame<2>&, double, double);
+template std::vector<FixedPoint<3>> surroundings(const std::vector<FluidFill<3>>&,
+                                                 const std::vector<WallFill<3>>&,
+                                                 const SceneFrame<3>&, double, double);
+
+}  // namespace plenum
