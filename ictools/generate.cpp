@@ -125,6 +125,7 @@ SceneInfo<Dim> sceneInfo(const CaseNode& root, const CaseSettings& settings,
 template <int Dim>
 void addFigures(const RelaxationResult& relaxed, SceneInfo<Dim>& info) {
   info.quality.emplace_back("relaxation: iterations", relaxed.history.back().iteration);
+  info.quality.emplace_back("relaxation: iterations of the best state", relaxed.best.iteration);
   info.quality.emplace_back("relaxation: scatter of the kernel sum", relaxed.best.scatter);
   info.quality.emplace_back("relaxation: largest deviation of the kernel sum", relaxed.best.worst);
 }

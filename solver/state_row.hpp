@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/conserved.hpp"
-#include "solver/measures.hpp"
+#include "engine/measures.hpp"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/measures.hpp"
+#include "engine/measures.hpp"
 
-#include "engine/cell_grid.hpp"
 #include "engine/ordered_sum.hpp"
+#include "engine/point_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,38 +32,6 @@ struct Shell {
     distanceSquared[k] = d2;
     offset[k] = d;
   }
-};
-
-/// Points in a grid of cells, with a search around any place.
-template <int Dim>
-class PointSearch {
- public:
-  PointSearch(std::span<const Vec<Dim>> points, const Box<Dim>& domain, double radius)
-      : domain_(domain), radiusSquared_(radius * radius) {
-    points_.reserve(points.size());
-    for (const Vec<Dim>& x : points) points_.push_back(domain.wrap(x));
-    grid_.reshape(domain, radius, 4 * points.size() + 64);
-    grid_.sort(points_);
-  }
-
-  /// visit(index, x_index - x, distance squared) for all points within the radius.
-  template <class Visit>
-  void around(const Vec<Dim>& x, Visit&& visit) const {
-    grid_.forEachRange(domain_.wrap(x), [&](std::uint32_t first, std::uint32_t last) {
-      for (std::uint32_t place = first; place < last; ++place) {
-        const std::uint32_t j = grid_.order()[place];
-        const Vec<Dim> d = domain_.nearestImage(points_[j] - x);
-        const double d2 = normSquared(d);
-        if (d2 < radiusSquared_) visit(j, d, d2);
-      }
-    });
-  }
-
- private:
-  Box<Dim> domain_;
-  double radiusSquared_;
-  std::vector<Vec<Dim>> points_;
-  CellGrid<Dim> grid_;
 };
 
 struct SpacingSums {

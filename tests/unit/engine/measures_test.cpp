@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/measures.hpp"
+#include "engine/measures.hpp"
 
 #include "tests/support/random_particles.hpp"
 
