@@ -3,6 +3,7 @@
 
 #include "engine/ordered_sum.hpp"
 #include "engine/point_search.hpp"
+#include "particles/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,18 +14,22 @@ namespace plenum {
 namespace {
 
 constexpr double nearestRange = 2.5;  // d_ref; where the search for a neighbour ends
-constexpr std::size_t nShell = 6;     // neighbours of psi_6
+
+/// Neighbours of psi_6 and q_6.
+template <int Dim>
+constexpr std::size_t nShell = Dim == 3 ? 12 : 6;
 
 /// The nearest neighbours of a particle, by distance; no allocation.
 template <int Dim>
 struct Shell {
-  std::array<double, nShell> distanceSquared;
-  std::array<Vec<Dim>, nShell> offset;
+  static constexpr std::size_t size = nShell<Dim>;
+  std::array<double, size> distanceSquared;
+  std::array<Vec<Dim>, size> offset;
   std::size_t count = 0;
 
   void insert(double d2, const Vec<Dim>& d) {
-    if (count == nShell && d2 >= distanceSquared[nShell - 1]) return;
-    std::size_t k = count < nShell ? count++ : nShell - 1;
+    if (count == size && d2 >= distanceSquared[size - 1]) return;
+    std::size_t k = count < size ? count++ : size - 1;
     for (; k > 0 && distanceSquared[k - 1] > d2; --k) {
       distanceSquared[k] = distanceSquared[k - 1];
       offset[k] = offset[k - 1];
@@ -57,7 +62,20 @@ double psi6Of(const Shell<2>& shell) {
     re += std::cos(angle);
     im += std::sin(angle);
   }
-  return std::hypot(re, im) / nShell;
+  return std::hypot(re, im) / Shell<2>::size;
+}
+
+/// sqrt(4 pi/13 sum over m of |mean of Y_6m|^2), by the addition theorem of the harmonics.
+double q6Of(const Shell<3>& shell) {
+  double sum = 0;
+  for (std::size_t a = 0; a < Shell<3>::size; ++a)
+    for (std::size_t b = 0; b < Shell<3>::size; ++b) {
+      const double c = dot(shell.offset[a], shell.offset[b]) /
+                       std::sqrt(shell.distanceSquared[a] * shell.distanceSquared[b]);
+      const double c2 = c * c;
+      sum += (((231 * c2 - 315) * c2 + 105) * c2 - 5) / 16;  // Legendre's P_6
+    }
+  return std::sqrt(std::max(sum, 0.0)) / Shell<3>::size;
 }
 
 template <int Dim>
@@ -69,7 +87,7 @@ SpacingSums sumsOf(const Shell<Dim>& shell, double spacing) {
   s.below05 = s.nearest < 0.5;
   s.below085 = s.nearest < 0.85;
   if constexpr (Dim == 2)
-    if (shell.count == nShell) {
+    if (shell.count == Shell<2>::size) {
       s.psi6 = psi6Of(shell);
       s.nPsi6 = 1;
     }
@@ -139,6 +157,42 @@ SpacingMeasures measureSpacing(const ParticleSet<Dim>& particles, const Box<Dim>
 }
 
 template <int Dim>
+std::vector<double> nearestDistances(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
+                                     double spacing) {
+  const auto all = particles[field::position];
+  const PointSearch<Dim> search(all, domain, nearestRange * spacing);
+  std::vector<double> result(particles.nFluid());
+  forEachIndex(result.size(), [&](std::size_t i) {
+    double nearest = nearestRange * nearestRange * spacing * spacing;
+    search.around(all[i], [&](std::uint32_t j, const Vec<Dim>&, double d2) {
+      if (j != i) nearest = std::min(nearest, d2);
+    });
+    result[i] = std::sqrt(nearest) / spacing;
+  });
+  return result;
+}
+
+template <int Dim>
+double measureBondOrder(const ParticleSet<Dim>& particles, const Box<Dim>& domain, double spacing) {
+  if constexpr (Dim == 1) return 0;
+  const auto all = particles[field::position];
+  const PointSearch<Dim> search(all, domain, nearestRange * spacing);
+  const auto sums = orderedSum<SpacingSums>(particles.nFluid(), [&](std::size_t i) {
+    Shell<Dim> shell;
+    search.around(all[i], [&](std::uint32_t j, const Vec<Dim>& d, double d2) {
+      if (j != i) shell.insert(d2, d);
+    });
+    SpacingSums s;
+    if (shell.count < Shell<Dim>::size || shell.distanceSquared[0] == 0) return s;
+    if constexpr (Dim == 2) s.psi6 = psi6Of(shell);
+    if constexpr (Dim == 3) s.psi6 = q6Of(shell);
+    s.nPsi6 = 1;
+    return s;
+  });
+  return sums.nPsi6 > 0 ? sums.psi6 / sums.nPsi6 : 0;
+}
+
+template <int Dim>
 double measureVoids(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info,
                     bool freeSurface) {
   constexpr unsigned allOrthants = (1u << (1u << Dim)) - 1;  // one bit an orthant
@@ -179,8 +233,14 @@ std::size_t countLeft(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& i
 template SpacingMeasures measureSpacing<1>(const ParticleSet<1>&, const Box<1>&, double);
 template SpacingMeasures measureSpacing<2>(const ParticleSet<2>&, const Box<2>&, double);
 template SpacingMeasures measureSpacing<3>(const ParticleSet<3>&, const Box<3>&, double);
+template std::vector<double> nearestDistances(const ParticleSet<1>&, const Box<1>&, double);
+template double measureBondOrder(const ParticleSet<1>&, const Box<1>&, double);
 template double measureVoids<1>(const ParticleSet<1>&, const SceneInfo<1>&, bool);
+template std::vector<double> nearestDistances(const ParticleSet<2>&, const Box<2>&, double);
+template double measureBondOrder(const ParticleSet<2>&, const Box<2>&, double);
 template double measureVoids<2>(const ParticleSet<2>&, const SceneInfo<2>&, bool);
+template std::vector<double> nearestDistances(const ParticleSet<3>&, const Box<3>&, double);
+template double measureBondOrder(const ParticleSet<3>&, const Box<3>&, double);
 template double measureVoids<3>(const ParticleSet<3>&, const SceneInfo<3>&, bool);
 template std::size_t countLeft<1>(const ParticleSet<1>&, const SceneInfo<1>&);
 template std::size_t countLeft<2>(const ParticleSet<2>&, const SceneInfo<2>&);

@@ -6,6 +6,8 @@
 
 #include "particles/scene.hpp"
 
+#include <vector>
+
 namespace plenum {
 
 /// Order of the fluid particles. Distances are to the nearest other fluid particle, in units of
@@ -22,6 +24,18 @@ struct SpacingMeasures {
 template <int Dim>
 SpacingMeasures measureSpacing(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
                                double spacing);
+
+/// Distance of every fluid particle to the nearest particle, walls included [d_ref]; 2.5 where
+/// there is none so near.
+template <int Dim>
+std::vector<double> nearestDistances(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
+                                     double spacing);
+
+/// How regular the neighbourhoods of fluid particles are, walls included: in 2-D the mean |psi_6|
+/// over six neighbours (1: hexagonal), in 3-D the mean q_6 over twelve (hcp .485, fcc .575, random
+/// about .29; Steinhardt et al. 1983, doi 10.1103/PhysRevB.28.784); 0 in 1-D.
+template <int Dim>
+double measureBondOrder(const ParticleSet<Dim>& particles, const Box<Dim>& domain, double spacing);
 
 /// void1: share of the points of a grid (spacing d_ref/3) in the container that are further than
 /// d_ref from any particle, walls included. With a free surface only those points count that have

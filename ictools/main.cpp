@@ -3,6 +3,8 @@
 // plenum-ic: from a case file to a particle file.
 #include "ictools/generate.hpp"
 #include "ictools/ic_settings.hpp"
+#include "ictools/report.hpp"
+#include "particles/atomic_file.hpp"
 #include "particles/command_line.hpp"
 #include "particles/errors.hpp"
 #include "particles/particle_file.hpp"
@@ -28,6 +30,10 @@ struct Options {
   std::vector<std::string> set;
   bool quiet = false;
   bool markdown = false;
+  std::string kernel;          // of `report`
+  double smoothingLength = 0;  // [d_ref]
+  std::string json, png;
+  bool noReport = false;
 };
 
 constexpr const char* examples = R"(
@@ -36,6 +42,7 @@ Examples:
   plenum-ic generate cases/gas_box.toml -o box.hdf --set spacing=0.025 --set fluid[0].seed=2
   plenum-ic preview rotating_shaft.hdf -o shaft.png --color pressure
   plenum-ic info rotating_shaft.hdf
+  plenum-ic report rotating_shaft.hdf --png report.png
   plenum-ic help-case
 
 Exit code: 0 done, 1 the input is at fault, 2 failure.)";
@@ -112,14 +119,27 @@ fs::path outputPath(const Options& options, const char* ending) {
   return path;
 }
 
+/// Judges the scene, writes the report beside the file and its figures into the scene.
+template <int Dim>
+void writeReport(const fs::path& path, Scene<Dim>& scene, bool quiet) {
+  const Report report = reportOn(scene);
+  for (const auto& figure : figuresOf(report)) scene.info.quality.push_back(figure);
+  const auto beside = [&](const char* ending) { return fs::path(path).replace_extension(ending); };
+  writeTextFile(beside(".report.txt"), printed(report));
+  writeTextFile(beside(".report.json"), json(report));
+  drawReport(beside(".report.png"), report);
+  if (!quiet) std::cout << printed(report);
+}
+
 int runGenerate(const Options& options) {
   CaseNode::load(options.input);  // says so at once if it is no case
   const fs::path path = outputPath(options, ".hdf");
   RelaxationProgress relaxing(options.quiet);
-  withGenerated(options, relaxing.watch(), [&](const auto& scene) {
+  withGenerated(options, relaxing.watch(), [&](auto scene) {
+    if (!options.quiet) std::cout << describe(scene);
+    if (!options.noReport) writeReport(path, scene, options.quiet);
     writeParticleFile(path, scene);
     if (options.quiet) return;
-    std::cout << describe(scene);
     std::cout << fmt::format("  {}: {:.2f} MB\nnext: plenum-sph run {}\n", path.string(),
                              static_cast<double>(fs::file_size(path)) / 1e6, path.string());
   });
@@ -136,6 +156,24 @@ int runPreview(const Options& options) {
     withGenerated(options, {}, draw);
   else
     withParticleFile(options.input, draw);
+  return exitOk;
+}
+
+/// Judges a file, with another kernel if asked.
+int runReport(const Options& options) {
+  withParticleFile(options.input, [&](auto scene) {
+    if (!options.kernel.empty()) scene.info.kernel = KernelId::named(options.kernel).name();
+    if (options.smoothingLength > 0) {
+      const double factor =
+          options.smoothingLength * scene.info.spacing / scene.info.smoothingLength;
+      scene.info.smoothingLength *= factor;
+      for (double& h : scene.particles[field::smoothingLength]) h *= factor;
+    }
+    const Report report = reportOn(scene);
+    std::cout << printed(report);
+    if (!options.json.empty()) writeTextFile(options.json, json(report));
+    if (!options.png.empty()) drawReport(options.png, report);
+  });
   return exitOk;
 }
 
@@ -171,6 +209,7 @@ int main(int argc, char** argv) {
   CLI::App* generate = app.add_subcommand("generate", "make a particle file from a case");
   generate->add_option("CASE", options.input, "case file (TOML)")->required();
   generate->add_option("-o,--output", options.output, "particle file; absent: CASE's name + .hdf");
+  generate->add_flag("--no-report", options.noReport, "leave out the report card beside the file");
   addSet(generate);
   CLI::App* preview = app.add_subcommand("preview", "draw particles as PNG, without ParaView");
   preview->add_option("FILE", options.input, "particle file (.hdf) or case (.toml)")->required();
@@ -179,6 +218,13 @@ int main(int argc, char** argv) {
   addSet(preview);
   CLI::App* info = app.add_subcommand("info", "say what a particle file holds");
   info->add_option("FILE", options.input, "particle file (.hdf)")->required();
+  CLI::App* report = app.add_subcommand("report", "judge a particle set: density, spacing, walls");
+  report->add_option("FILE", options.input, "particle file (.hdf)")->required();
+  report->add_option("--kernel", options.kernel, "judge with this kernel instead of the file's");
+  report->add_option("--smoothing-length", options.smoothingLength, "h/d_ref instead of the file's")
+      ->check(CLI::Range(0.5, 100.0));
+  report->add_option("--json", options.json, "write the figures there");
+  report->add_option("--png", options.png, "draw histograms there");
   CLI::App* helpCase = app.add_subcommand("help-case", "all keys of a case file");
   helpCase->add_flag("--markdown", options.markdown, "as tables for the docs");
 
@@ -187,6 +233,7 @@ int main(int argc, char** argv) {
     if (generate->parsed()) return runGenerate(options);
     if (preview->parsed()) return runPreview(options);
     if (info->parsed()) return runInfo(options);
+    if (report->parsed()) return runReport(options);
     return runHelpCase(options);
   });
 }

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ictools/report.hpp"
+
+#include "engine/engine.hpp"
+#include "engine/ordered_sum.hpp"
+#include "engine/point_search.hpp"
+#include "ictools/neighbour_sums.hpp"
+#include "particles/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plenum {
+
+namespace {
+
+constexpr double overlapping = 0.5, isolated = 1.5;  // [d_ref]
+
+/// Sums over neighbours of the fluid particles, in the order of `particles`.
+template <int Dim>
+struct QualitySums {
+  std::vector<double> density;           ///< [kg/m^d]
+  std::vector<double> kernelSum;         ///< 1 where space is filled
+  std::vector<Vec<Dim>> kernelGradient;  ///< [1/m], towards the particles
+};
+
+/// Sorts `particles` for the engine.
+template <int Dim>
+QualitySums<Dim> qualitySums(const Scene<Dim>& scene, ParticleSet<Dim>& particles) {
+  typename Engine<Dim>::Options options;
+  options.precision = Precision::doubled;
+  options.units = Units::near(scene.info.smoothingLength, particles[field::mass][0], 1);
+  options.adaptive = true;
+  Engine<Dim> engine(scene.info.domain, options);
+  engine.update(particles);
+  engine.run(neighbourPass<Dim>(NeighbourSum::quality,
+                                {KernelId::named(scene.info.kernel), 0, true}, options.units),
+             particles);
+  return {engine.sums(field::density), engine.sums(field::kernelSum),
+          engine.sums(field::kernelGradient)};
+}
+
+/// Whether nobody stands where the gradient of the kernel sum misses somebody: no particle within
+/// two spacings and 45 degrees of the direction into the void (after Marrone et al. 2010, doi
+/// 10.1016/j.jcp.2010.01.019).
+template <int Dim>
+bool isAtFreeSurface(const Vec<Dim>& x, const Vec<Dim>& gradient, double spacing,
+                     const PointSearch<Dim>& all) {
+  // A plane surface half a spacing away gives .3 to .6 at usual h/d.
+  constexpr double noSurface = 0.12;
+  const double length = norm(gradient);
+  if (length * spacing < noSurface) return false;
+  const Vec<Dim> intoVoid = -gradient / length;
+  bool covered = false;
+  all.around(x, [&](std::uint32_t, const Vec<Dim>& d, double d2) {
+    covered |= d2 > 0 && dot(d, intoVoid) > std::sqrt(0.5 * d2);
+  });
+  return !covered;
+}
+
+/// Marks the particles that have one of `others` within `reach` [m].
+template <int Dim>
+std::vector<std::uint8_t> near(std::span<const Vec<Dim>> particles,
+                               std::span<const Vec<Dim>> others, const Box<Dim>& domain,
+                               double reach) {
+  std::vector<std::uint8_t> result(particles.size());
+  if (others.empty()) return result;
+  const PointSearch<Dim> search(others, domain, reach);
+  forEachIndex(particles.size(), [&](std::size_t i) {
+    search.around(particles[i], [&](std::uint32_t, const Vec<Dim>&, double) { result[i] = 1; });
+  });
+  return result;
+}
+
+/// Particles that have one of another fluid within `reach` [m].
+template <int Dim>
+std::vector<std::uint8_t> nearOtherFluid(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
+                                         double reach) {
+  std::vector<std::uint8_t> result(particles.nFluid());
+  if (!particles.has(field::material)) return result;
+  const auto material = particles[field::material];
+  const auto [least, most] = std::minmax_element(material.begin(), material.end());
+  if (material.empty() || *least == *most) return result;
+  const auto position = particles[field::position];
+  const PointSearch<Dim> search(position.first(particles.nFluid()), domain, reach);
+  forEachIndex(result.size(), [&](std::size_t i) {
+    search.around(position[i], [&](std::uint32_t j, const Vec<Dim>&, double) {
+      if (material[j] != material[i]) result[i] = 1;
+    });
+  });
+  return result;
+}
+
+template <int Dim>
+std::vector<Place> placesOf(const Scene<Dim>& scene, const ParticleSet<Dim>& particles,
+                            const QualitySums<Dim>& sums) {
+  const double support = 2 * scene.info.smoothingLength, spacing = scene.info.spacing;
+  const Box<Dim>& domain = scene.info.domain;
+  const auto position = particles[field::position];
+  const auto fluid = position.first(particles.nFluid());
+  const PointSearch<Dim> all(position, domain, 2 * spacing);
+  std::vector<Vec<Dim>> surface;
+  for (std::size_t i = 0; i < fluid.size(); ++i)
+    if (isAtFreeSurface(fluid[i], sums.kernelGradient[i], spacing, all))
+      surface.push_back(fluid[i]);
+  const auto atWall = near<Dim>(fluid, position.subspan(fluid.size()), domain, support);
+  const auto atSurface = near<Dim>(fluid, surface, domain, support);
+  const auto atFluid = nearOtherFluid(particles, domain, support);
+  std::vector<Place> places(fluid.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = atWall[i]      ? Place::wall
+                : atSurface[i] ? Place::freeSurface
+                : atFluid[i]   ? Place::interface
+                               : Place::inside;
+  return places;
+}
+
+/// What is summed over the particles of one kind of place.
+struct PlaceSums {
+  double n = 0, error = 0, square = 0, worst = 0, kernelSum = 0, gradient = 0, largest = 0;
+  PlaceSums& operator+=(const PlaceSums& b) {
+    n += b.n;
+    error += b.error;
+    square += b.square;
+    kernelSum += b.kernelSum;
+    gradient += b.gradient;
+    worst = std::max(worst, b.worst);
+    largest = std::max(largest, b.largest);
+    return *this;
+  }
+};
+
+template <int Dim>
+PlaceFigures figuresAt(Place place, const std::vector<Place>& places,
+                       const std::vector<double>& error, const QualitySums<Dim>& sums,
+                       double spacing) {
+  const auto total = orderedSum<PlaceSums>(places.size(), [&](std::size_t i) {
+    if (places[i] != place) return PlaceSums{};
+    const double gradient = norm(sums.kernelGradient[i]) * spacing;
+    return PlaceSums{1,        error[i], error[i] * error[i], std::abs(error[i]), sums.kernelSum[i],
+                     gradient, gradient};
+  });
+  PlaceFigures figures;
+  figures.n = static_cast<std::size_t>(total.n);
+  if (figures.n == 0) return figures;
+  figures.bias = total.error / total.n;
+  figures.scatter = std::sqrt(std::max(0.0, total.square / total.n - figures.bias * figures.bias));
+  figures.worst = total.worst;
+  figures.kernelSum = total.kernelSum / total.n;
+  figures.kernelGradient = total.gradient / total.n;
+  figures.largestGradient = total.largest;
+  return figures;
+}
+
+Histogram histogram(const std::vector<double>& values, double lower, double width, int nBins) {
+  Histogram h{lower, width, std::vector<double>(static_cast<std::size_t>(nBins))};
+  for (const double value : values) {
+    const double bin = std::clamp(std::floor((value - lower) / width), 0.0, nBins - 1.0);
+    h.share[static_cast<std::size_t>(bin)] += 1 / static_cast<double>(values.size());
+  }
+  return h;
+}
+
+/// Bins that show the bulk of the errors: three standard deviations on both sides of the mean.
+Histogram errorHistogram(const std::vector<double>& error, const std::vector<Place>& places,
+                         const PlaceFigures& inside) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < error.size(); ++i)
+    if (places[i] == Place::inside) values.push_back(error[i]);
+  constexpr int nBins = 40;
+  const double half = std::max(3 * inside.scatter, 1e-9);
+  return histogram(values, inside.bias - half, 2 * half / nBins, nBins);
+}
+
+template <int Dim>
+std::vector<FluidMass> massesOf(const Scene<Dim>& scene) {
+  const auto figure = [&](const std::string& name) {
+    for (const auto& [key, value] : scene.info.quality)
+      if (key == name) return value;
+    return 0.0;
+  };
+  const auto mass = scene.particles[field::mass];
+  std::vector<FluidMass> masses;
+  for (std::size_t m = 0; m < scene.info.materials.size(); ++m) {
+    const bool isAlone = !scene.particles.has(field::material);
+    const auto isHere = [&](std::size_t i) {
+      return isAlone || scene.particles[field::material][i] == static_cast<std::int32_t>(m);
+    };
+    FluidMass fluid{scene.info.materials[m].name, 0, 0, 0};
+    fluid.mass = orderedSum<double>(scene.particles.nFluid(),
+                                    [&](std::size_t i) { return isHere(i) ? mass[i] : 0; });
+    for (std::size_t i = 0; i < scene.particles.nFluid(); ++i) fluid.n += isHere(i);
+    fluid.expected = figure(fluid.name + ": density x volume");
+    masses.push_back(fluid);
+  }
+  return masses;
+}
+
+/// Mean volume of a fluid particle [m^d].
+template <int Dim>
+double meanVolume(const ParticleSet<Dim>& particles) {
+  const auto mass = particles[field::mass], density = particles[field::density];
+  return orderedSum<double>(particles.nFluid(),
+                            [&](std::size_t i) { return mass[i] / density[i]; }) /
+         static_cast<double>(particles.nFluid());
+}
+
+template <int Dim>
+void judgeDensity(const Scene<Dim>& scene, Report& report) {
+  ParticleSet<Dim> particles = scene.particles;  // the engine sorts
+  const QualitySums<Dim> sums = qualitySums(scene, particles);
+  const std::vector<Place> places = placesOf(scene, particles, sums);
+  const auto density = particles[field::density];
+  std::vector<double> error(particles.nFluid());
+  forEachIndex(error.size(), [&](std::size_t i) { error[i] = sums.density[i] / density[i] - 1; });
+  for (std::size_t p = 0; p < nPlaces; ++p)
+    report.places[p] = figuresAt(Place(p), places, error, sums, scene.info.spacing);
+  report.densityHistogram =
+      errorHistogram(error, places, report.places[static_cast<std::size_t>(Place::inside)]);
+}
+
+}  // namespace
+
+template <int Dim>
+Report reportOn(const Scene<Dim>& scene) {
+  const SceneInfo<Dim>& info = scene.info;
+  Report report;
+  report.title = info.title;
+  report.kernel = info.kernel;
+  report.dimension = Dim;
+  report.spacing = info.spacing;
+  report.smoothingLength = info.smoothingLength;
+  report.nFluid = scene.particles.nFluid();
+  report.nWalls = scene.particles.nWalls();
+  report.masses = massesOf(scene);
+  report.nearest = measureSpacing(scene.particles, info.domain, info.spacing);
+  const std::vector<double> nearest = nearestDistances(scene.particles, info.domain, info.spacing);
+  report.largestNearest = nearest.empty() ? 0 : *std::max_element(nearest.begin(), nearest.end());
+  report.nearestHistogram = histogram(nearest, 0, 0.05, 40);
+  for (const double d : nearest) {
+    report.nOverlaps += d < overlapping;
+    report.nIsolated += d > isolated;
+  }
+  report.bondOrder = measureBondOrder(scene.particles, info.domain, info.spacing);
+  for (const Wall& wall : info.walls)
+    report.walls.push_back({wall.name, wall.thickness, 2 * info.smoothingLength});
+  judgeDensity(scene, report);
+  report.pairing = forecastPairing(KernelId::named(info.kernel), Dim, info.smoothingLength,
+                                   meanVolume(scene.particles));
+  return report;
+}
+
+template Report reportOn(const Scene<1>&);
+template Report reportOn(const Scene<2>&);
+template Report reportOn(const Scene<3>&);
+
+}  // namespace plenum
