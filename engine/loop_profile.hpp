@@ -22,10 +22,13 @@ struct NoKernel {
   }
 };
 
+/// `Profile` is a kernel, kernel::Any or one made of them (Adaptive).
 template <class Profile>
 constexpr Profile profileOf(int kernel) {
   if constexpr (std::is_same_v<Profile, kernel::Any>)
     return {KernelId(kernel)};
+  else if constexpr (std::is_base_of_v<kernel::Any, Profile>)
+    return {kernel::Any{KernelId(kernel)}};
   else
     return {};
 }

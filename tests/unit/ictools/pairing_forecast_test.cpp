@@ -24,7 +24,8 @@ PairingForecast in3D(const char* kernel, double neighbours) {
 TEST(PairingForecast, FollowsTransformAndMeasurementTogether) {
   EXPECT_EQ(in2D("wendland_c2", 3).verdict, Verdict::safe);
   EXPECT_EQ(in2D("convex", 2).verdict, Verdict::safe);
-  EXPECT_EQ(in2D("quintic_spline", 1.5).verdict, Verdict::unpaired);  // negative, but few neighbours
+  EXPECT_EQ(in2D("quintic_spline", 1.5).verdict,
+            Verdict::unpaired);  // negative, but few neighbours
   EXPECT_EQ(in2D("quintic_spline", 2).verdict, Verdict::pairs);
   EXPECT_EQ(in2D("wendland_c2_1d", 2).verdict, Verdict::pairs);
   EXPECT_EQ(in3D("cubic_spline", 40).verdict, Verdict::unpaired);
