@@ -2,6 +2,7 @@
 #include "ictools/arrangement.hpp"
 
 #include "engine/ordered_sum.hpp"
+#include "ictools/equal_masses.hpp"
 #include "particles/parallel.hpp"
 
 #include <algorithm>
@@ -42,15 +43,16 @@ template <int Dim>
 Arrangement<Dim>::Arrangement(const std::vector<FluidFill<Dim>>& fluids,
                               const std::vector<WallFill<Dim>>& walls, const SceneFrame<Dim>& frame,
                               bool adaptive)
-    : smoothing_{KernelId::named(frame.solver.kernel), frame.smoothingLength(), adaptive},
+    : fluids_(fluids),
+      smoothing_{KernelId::named(frame.solver.kernel), frame.smoothingLength(), adaptive},
       lengthOverSpacing_(frame.smoothingLength() /
                          spacingOf<Dim>(fluids.front().lattice.cellVolume())) {
-  const auto fixed = surroundings(fluids, walls, frame, frame.support(), frame.spacing);
+  const auto fixed = surroundings(fluids, walls, frame, lengthOverSpacing_);
   std::size_t nFluid = 0;
   for (const auto& fluid : fluids) nFluid += fluid.points.size();
   particles_ = ParticleSet<Dim>(adaptive ? arranged | FieldSet{field::smoothingLength} : arranged,
                                 nFluid, fixed.size());
-  addFluids(fluids);
+  addFluids();
   for (std::size_t k = 0; k < fixed.size(); ++k) {
     particles_[field::position][nFluid + k] = fixed[k].position;
     particles_[field::mass][nFluid + k] = fixed[k].volume;
@@ -76,15 +78,41 @@ Arrangement<Dim>::Arrangement(const std::vector<FluidFill<Dim>>& fluids,
 }
 
 template <int Dim>
-void Arrangement<Dim>::addFluids(const std::vector<FluidFill<Dim>>& fluids) {
+void Arrangement<Dim>::addFluids() {
   std::size_t i = 0;
-  for (std::size_t k = 0; k < fluids.size(); ++k)
-    for (const Vec<Dim>& x : fluids[k].points) {
-      particles_[field::position][i] = x;
-      particles_[field::mass][i] = fluids[k].meanVolume();
+  for (std::size_t k = 0; k < fluids_.size(); ++k) {
+    const std::vector<double> volumes = targetVolumes<Dim>(fluids_[k], fluids_[k].points);
+    for (std::size_t p = 0; p < volumes.size(); ++p, ++i) {
+      particles_[field::position][i] = fluids_[k].points[p];
+      particles_[field::mass][i] = volumes[p];
       particles_[field::material][i] = static_cast<std::int32_t>(k);
-      ++i;
     }
+  }
+}
+
+template <int Dim>
+void Arrangement<Dim>::retarget() {
+  const auto position = particles_[field::position];
+  const auto volume = particles_[field::mass];
+  double growth = 1;
+  for (std::size_t k = 0; k < fluids_.size(); ++k) {
+    if (!fluids_[k].settings.spacingFollowsDensity()) continue;
+    std::vector<std::size_t> who;
+    std::vector<Vec<Dim>> points;
+    for (std::size_t i = 0; i < nFluid(); ++i)
+      if (particles_[field::material][i] == static_cast<std::int32_t>(k)) {
+        who.push_back(i);
+        points.push_back(domain_.wrap(position[i]));
+      }
+    const std::vector<double> volumes = targetVolumes<Dim>(fluids_[k], points);
+    for (std::size_t p = 0; p < who.size(); ++p) {
+      growth = std::max(growth, volumes[p] / volume[who[p]]);
+      volume[who[p]] = volumes[p];
+    }
+  }
+  if (growth == 1) return;
+  setSmoothingLengths();
+  engine_->grew(spacingOf<Dim>(growth));
 }
 
 template <int Dim>

@@ -18,6 +18,7 @@ template <int Dim>
 class Arrangement {
  public:
   /// `adaptive`: smoothing lengths follow the volumes; else all have that of the frame.
+  /// `fluids` must outlive this.
   Arrangement(const std::vector<FluidFill<Dim>>& fluids, const std::vector<WallFill<Dim>>& walls,
               const SceneFrame<Dim>& frame, bool adaptive);
 
@@ -27,6 +28,10 @@ class Arrangement {
   double smoothingLength(std::size_t i) const {
     return smoothing_.adaptive ? particles_[field::smoothingLength][i] : smoothing_.length;
   }
+
+  /// Gives particles whose spacing follows a density the volumes that belong to their places. To be
+  /// called when they have moved.
+  void retarget();
 
   /// Sums V_j W_ij, fills field::pressure, returns mean, scatter and largest deviation.
   RelaxationState sumKernels();
@@ -49,11 +54,12 @@ class Arrangement {
   std::vector<Vec<Dim>> positions() const;
 
  private:
-  void addFluids(const std::vector<FluidFill<Dim>>& fluids);
+  void addFluids();
   void setSmoothingLengths();
   const PairPass<Dim>& passOf(NeighbourSum sum);
   void keepAll(std::span<const Vec<Dim>> before);
 
+  const std::vector<FluidFill<Dim>>& fluids_;
   Box<Dim> domain_;
   Smoothing smoothing_;
   double lengthOverSpacing_;  // h/V^(1/d) of adaptive smoothing

@@ -26,15 +26,23 @@ void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
   Vec<Dim> velocity;
   for (std::size_t a = 0; a < settings.velocity.size(); ++a)
     velocity[static_cast<int>(a)] = settings.velocity[a];
+  std::vector<double> density;
+  if (fluid.profile)
+    density = densitiesAt<Dim>(*fluid.profile, fluid.points, at(settings.node, "profile"));
   for (std::size_t k = 0; k < fluid.points.size(); ++k) {
     const std::size_t i = first + k;
-    const FluidState here = state(fluid.points[k]);
+    const FluidState here = fluid.profile ? state.withDensity(density[k]) : state(fluid.points[k]);
     particles[field::position][i] = fluid.points[k];
     particles[field::velocity][i] = velocity;
     particles[field::density][i] = here.density;
     particles[field::pressure][i] = here.pressure;
-    particles[field::mass][i] = here.density * fluid.particleVolume;
+    particles[field::mass][i] =
+        settings.spacingFollowsDensity() ? fluid.particleMass : here.density * fluid.particleVolume;
     particles[field::material][i] = material;
+    particles[field::smoothingLength][i] = frame.smoothingLength();
+    if (settings.spacingFollowsDensity())
+      particles[field::smoothingLength][i] *=
+          std::pow(fluid.particleMass / here.density / fluid.lattice.cellVolume(), 1.0 / Dim);
   }
 }
 
@@ -103,7 +111,7 @@ ParticleSet<Dim> assemble(const std::vector<FluidFill<Dim>>& fluids,
     first += walls[k].points.size();
   }
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    particles[field::smoothingLength][i] = frame.smoothingLength();
+    if (i >= nFluid) particles[field::smoothingLength][i] = frame.smoothingLength();
     particles[field::id][i] = i < nFluid ? nWalls + i + 1 : i - nFluid + 1;
   }
   return particles;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/fluids.hpp"
 
+#include "ictools/equal_masses.hpp"
 #include "ictools/point_grid.hpp"
 #include "ictools/random.hpp"
 
@@ -215,11 +216,12 @@ void checkNotEmpty(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame) {
 
 template <int Dim>
 FluidFill<Dim> prepareFluid(const FluidSettings& settings, GeometryPtr<Dim> region,
-                            const SceneFrame<Dim>& frame, const Warn& warn) {
+                            DensityProfilePtr<Dim> profile, const SceneFrame<Dim>& frame,
+                            const Warn& warn) {
   const std::string& lattice =
       settings.lattice == "random" ? latticeNames(Dim).front() : settings.lattice;
-  FluidFill<Dim> fluid{
-      settings, std::move(region), {}, Lattice<Dim>(lattice, frame.spacing), {}, {}, 0, 0};
+  FluidFill<Dim> fluid{settings, std::move(region), {}, Lattice<Dim>(lattice, frame.spacing)};
+  fluid.profile = std::move(profile);
   checkBounds(fluid, frame, warn);
   fluid.box = fluid.region ? frame.clipped(fluid.region->bounds()) : frame.domain;
   fluid.volume = fluid.region ? fluid.region->volume() : Measure{frame.domain.volume(), 0};
@@ -240,7 +242,9 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
   const double roundOff = surfaceRoundOff * frame.spacing;
   for (std::size_t k = 0; k < fluids.size(); ++k) {
     FluidFill<Dim>& fluid = fluids[k];
-    if (fluid.settings.lattice == "random") {
+    if (fluid.settings.spacingFollowsDensity()) {
+      fillWithEqualMasses(fluid, frame, randomOf(fluid, k));
+    } else if (fluid.settings.lattice == "random") {
       fluid.points = randomPoints(fluid, roundOff, randomOf(fluid, k));
     } else if (!fluid.region) {
       fluid.points = latticePoints(fluid.lattice, fluid.box);
@@ -251,9 +255,12 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
     leaveToEarlier(fluids, k, frame);
     checkNotEmpty(fluid, frame);
     jitter(fluids, k, frame);
-    fluid.particleVolume = fluid.settings.mass == "exact"
-                               ? fluid.volume.value / static_cast<double>(fluid.points.size())
-                               : fluid.lattice.cellVolume();
+    if (fluid.settings.spacingFollowsDensity())
+      fluid.particleVolume = fluid.meanVolume();
+    else
+      fluid.particleVolume = fluid.settings.mass == "exact"
+                                 ? fluid.volume.value / static_cast<double>(fluid.points.size())
+                                 : fluid.lattice.cellVolume();
   }
 }
 
@@ -265,16 +272,16 @@ std::vector<Vec<Dim>> allPoints(const std::vector<FluidFill<Dim>>& fluids) {
   return points;
 }
 
-template FluidFill<1> prepareFluid(const FluidSettings&, GeometryPtr<1>, const SceneFrame<1>&,
-                                   const Warn&);
+template FluidFill<1> prepareFluid(const FluidSettings&, GeometryPtr<1>, DensityProfilePtr<1>,
+                                   const SceneFrame<1>&, const Warn&);
 template void fillFluids(std::vector<FluidFill<1>>&, const SceneFrame<1>&);
 template std::vector<Vec<1>> allPoints(const std::vector<FluidFill<1>>&);
-template FluidFill<2> prepareFluid(const FluidSettings&, GeometryPtr<2>, const SceneFrame<2>&,
-                                   const Warn&);
+template FluidFill<2> prepareFluid(const FluidSettings&, GeometryPtr<2>, DensityProfilePtr<2>,
+                                   const SceneFrame<2>&, const Warn&);
 template void fillFluids(std::vector<FluidFill<2>>&, const SceneFrame<2>&);
 template std::vector<Vec<2>> allPoints(const std::vector<FluidFill<2>>&);
-template FluidFill<3> prepareFluid(const FluidSettings&, GeometryPtr<3>, const SceneFrame<3>&,
-                                   const Warn&);
+template FluidFill<3> prepareFluid(const FluidSettings&, GeometryPtr<3>, DensityProfilePtr<3>,
+                                   const SceneFrame<3>&, const Warn&);
 template void fillFluids(std::vector<FluidFill<3>>&, const SceneFrame<3>&);
 template std::vector<Vec<3>> allPoints(const std::vector<FluidFill<3>>&);
 

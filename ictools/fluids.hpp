@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/geometry.hpp"
+#include "ictools/density_profile.hpp"
 #include "ictools/fill.hpp"
 #include "ictools/ic_settings.hpp"
 #include "ictools/scene_frame.hpp"
@@ -17,9 +18,11 @@ struct FluidFill {
   GeometryPtr<Dim> region;  ///< null: the whole periodic domain
   Box<Dim> box;             ///< that contains it; periodic axes as in the domain
   Lattice<Dim> lattice;     ///< for `random` the closest packing that it has the density of
-  std::vector<Vec<Dim>> points;
-  Measure volume;             ///< of the region [m^d]
-  double particleVolume = 0;  ///< [m^d]
+  DensityProfilePtr<Dim> profile = {};  ///< null: the same density everywhere
+  std::vector<Vec<Dim>> points = {};
+  Measure volume = {};        ///< of the region [m^d]
+  double particleVolume = 0;  ///< [m^d]; of particles of equal mass that of the mean
+  double particleMass = 0;    ///< of all particles of a profile with equal masses [kg]
   std::size_t nCovered = 0;   ///< places left to an earlier fluid
   bool isCut = false;         ///< the region reaches beyond periodic faces
 
@@ -35,7 +38,8 @@ struct FluidFill {
 /// 2^31 particles.
 template <int Dim>
 FluidFill<Dim> prepareFluid(const FluidSettings& settings, GeometryPtr<Dim> region,
-                            const SceneFrame<Dim>& frame, const Warn& warn);
+                            DensityProfilePtr<Dim> profile, const SceneFrame<Dim>& frame,
+                            const Warn& warn);
 
 /// Puts particles into all fluids. A fluid has the lattice points inside its region and outside of
 /// the regions of earlier fluids. A point on the surface (fill.hpp) is left out, unless fluid lies

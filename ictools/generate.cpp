@@ -37,12 +37,21 @@ class Regions {
 
 template <int Dim>
 std::vector<FluidFill<Dim>> prepareFluids(const CaseSettings& settings, const Regions<Dim>& regions,
+                                          const std::filesystem::path& folder,
                                           const SceneFrame<Dim>& frame, const Warn& warn) {
   std::vector<FluidFill<Dim>> fluids;
   for (const FluidSettings& fluid : readFluids(settings)) {
     const GeometryPtr<Dim> region =
         fluid.region.empty() ? nullptr : regions.find(at(fluid.node, "region"));
-    fluids.push_back(prepareFluid(fluid, region, frame, warn));
+    DensityProfilePtr<Dim> profile;
+    if (fluid.profile)
+      profile = makeProfile<Dim>(*fluid.profile, at(fluid.node, "profile"), folder);
+    if (fluid.spacingFollowsDensity() && !settings.relax)
+      warn(
+          fmt::format("fluid \"{}\": particles of equal mass stand at random until a [relax] table "
+                      "arranges them",
+                      fluid.name));
+    fluids.push_back(prepareFluid(fluid, region, profile, frame, warn));
   }
   return fluids;
 }
@@ -138,7 +147,7 @@ Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
                     const RelaxationWatch& watch) {
   const SceneFrame<Dim> frame = sceneFrame<Dim>(root, settings);
   const Regions<Dim> regions(settings, casePath.parent_path());
-  auto fluids = prepareFluids(settings, regions, frame, warn);
+  auto fluids = prepareFluids(settings, regions, casePath.parent_path(), frame, warn);
   auto walls = prepareWalls(settings, regions, fluids, frame, warn);
   const auto container = containerRegions(root, settings, regions, fluids, frame);
 

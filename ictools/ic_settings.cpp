@@ -24,6 +24,40 @@ Section<HydrostaticSettings> hydrostaticSection() {
   return section;
 }
 
+Section<ProfileKeys> profileSection() {
+  Section<LinearProfileKeys> linear("straight along a line, the same across it");
+  linear.vector("from", &LinearProfileKeys::from, "m", "a place").required();
+  linear.vector("to", &LinearProfileKeys::to, "m", "another").required();
+  linear.numbers("density", &LinearProfileKeys::density, 2, "kg/m^d", "at these two").required();
+  Section<PowerLawKeys> law("density (1 + r^2/core_radius^2)^exponent");
+  law.vector("center", &PowerLawKeys::center, "m", "where r = 0; absent: the origin")
+      .number("density", &PowerLawKeys::density, "kg/m^d", Range::positive(), "at the centre")
+      .number("core_radius", &PowerLawKeys::coreRadius, "m", Range::positive(), "of the flat core")
+      .required()
+      .number("exponent", &PowerLawKeys::exponent, "", Range::any(), "of the fall outside");
+  Section<RadialTableKeys> radial("a text file of radii [m] and densities, a line each");
+  radial.text("file", &RadialTableKeys::file, "beside the case")
+      .required()
+      .vector("center", &RadialTableKeys::center, "m", "where r = 0; absent: the origin");
+  Section<ImageProfileKeys> image("grey values of a PNG in x and y");
+  image.text("file", &ImageProfileKeys::file, "beside the case").required();
+  image.numbers("lower", &ImageProfileKeys::lower, 2, "m", "lower left corner of the image")
+      .required();
+  image.numbers("upper", &ImageProfileKeys::upper, 2, "m", "upper right corner").required();
+  image.numbers("density", &ImageProfileKeys::density, 2, "kg/m^d", "of black and of white")
+      .required();
+  Section<ProfileKeys> section("a density that depends on the place: exactly one of these");
+  section.section("linear", &ProfileKeys::linear, linear)
+      .section("power_law", &ProfileKeys::powerLaw, law)
+      .section("radial_table", &ProfileKeys::radialTable, radial)
+      .section("image", &ProfileKeys::image, image)
+      .text("formula", &ProfileKeys::formula,
+            "of x, y, z [m], r and pi, as \"1 + 0.5*sin(2*pi*x)\"")
+      .text("table", &ProfileKeys::table,
+            "a text file with a line for each point of a regular grid: coordinates [m], density");
+  return section;
+}
+
 Section<RotationSettings> rotationSection() {
   using S = RotationSettings;
   Section<S> section("rigid rotation, counter-clockwise seen against the axis");
@@ -71,6 +105,10 @@ void checkFluid(const FluidSettings& fluid, int dimension) {
     at(fluid.node, "lattice_origin").fail("a random set has no origin; leave it out");
   if (fluid.pressure && fluid.hydrostatic)
     at(fluid.node, "pressure").fail("excludes hydrostatic; give one of them");
+  if (fluid.profile && fluid.hydrostatic)
+    at(fluid.node, "profile").fail("excludes hydrostatic; give one of them");
+  if (fluid.spacingFollowsDensity() && fluid.jitter > 0)
+    at(fluid.node, "jitter").fail("has no use: particles of equal mass start from random places");
 }
 
 void checkWall(const WallSettings& wall, int dimension) {
@@ -121,7 +159,12 @@ const Section<FluidSettings>& fluidSection() {
           .vector("velocity", &S::velocity, "m/s", "initial velocity; absent: zero")
           .number("pressure", &S::pressure, "Pa m^(3-d)", Range::any(),
                   "initial pressure, density follows; absent: solver.background_pressure")
-          .section("hydrostatic", &S::hydrostatic, hydrostaticSection());
+          .section("hydrostatic", &S::hydrostatic, hydrostaticSection())
+          .section("profile", &S::profile, profileSection())
+          .text("particles", &S::particles,
+                "of a profile: equal_mass, so that their spacing follows the density, or "
+                "equal_spacing, so that their mass does",
+                {"equal_mass", "equal_spacing"});
   return section;
 }
 

@@ -16,6 +16,40 @@ struct HydrostaticSettings {
   std::optional<double> pressureAtSurface;  ///< [Pa m^(3-d)]; absent: background pressure
 };
 
+struct LinearProfileKeys {
+  std::vector<double> from, to;  ///< [m]
+  std::vector<double> density;   ///< at these two [kg/m^d]
+};
+
+/// density (1 + r^2/core_radius^2)^exponent.
+struct PowerLawKeys {
+  std::vector<double> center;  ///< [m]
+  double density = 1;          ///< at the centre [kg/m^d]
+  double coreRadius = 1;       ///< [m]
+  double exponent = -1;
+};
+
+struct RadialTableKeys {
+  std::string file;
+  std::vector<double> center;
+};
+
+struct ImageProfileKeys {
+  std::string file;
+  std::vector<double> lower, upper;  ///< its corners [m]
+  std::vector<double> density;       ///< of black and of white [kg/m^d]
+};
+
+/// A density that depends on the place; exactly one of them.
+struct ProfileKeys {
+  std::optional<LinearProfileKeys> linear;
+  std::optional<PowerLawKeys> powerLaw;
+  std::optional<RadialTableKeys> radialTable;
+  std::optional<ImageProfileKeys> image;
+  std::string formula;
+  std::string table;
+};
+
 struct FluidSettings {
   std::string name;
   std::string region;   ///< "": the whole periodic domain
@@ -28,7 +62,12 @@ struct FluidSettings {
   std::vector<double> velocity;
   std::optional<double> pressure;
   std::optional<HydrostaticSettings> hydrostatic;
-  CaseNode node;  ///< where it stands, for messages
+  std::optional<ProfileKeys> profile;
+  std::string particles = "equal_mass";  ///< of a profile
+  CaseNode node;                         ///< where it stands, for messages
+
+  /// Particles of one mass, whose spacing follows the profile.
+  bool spacingFollowsDensity() const { return profile && particles == "equal_mass"; }
 };
 
 /// How particles are arranged before a run (relaxation.hpp).

@@ -145,7 +145,11 @@ RelaxationResult relax(std::vector<FluidFill<Dim>>& fluids, const std::vector<Wa
                        const SceneFrame<Dim>& frame, const RelaxSettings& settings,
                        const RelaxationWatch& watch) {
   const auto method = methodNamed<Dim>(settings.method);
-  Arrangement<Dim> arrangement(fluids, walls, frame, settings.method == "wvt");
+  const bool adaptive =
+      settings.method == "wvt" || std::ranges::any_of(fluids, [](const auto& fluid) {
+        return fluid.settings.spacingFollowsDensity();
+      });
+  Arrangement<Dim> arrangement(fluids, walls, frame, adaptive);
   const Ending ending(settings);
   RelaxationResult result;
   result.best.scatter = std::numeric_limits<double>::infinity();
@@ -164,6 +168,7 @@ RelaxationResult relax(std::vector<FluidFill<Dim>>& fluids, const std::vector<Wa
     if (ending.isReached(result)) break;
     method->plan(arrangement, state);
     move = arrangement.move();
+    arrangement.retarget();
   }
   distribute(best, fluids);
   if (watch.end) watch.end(result);

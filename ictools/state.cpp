@@ -14,6 +14,7 @@ InitialState::InitialState(const SolverSettings& solver, double referenceDensity
     : solver_(solver),
       referenceDensity_(referenceDensity),
       pressure_(pressure.value_or(solver.backgroundPressure)),
+      isGiven_(pressure.has_value()),
       table_(table) {
   if (!hydrostatic) return;
   double squares = 0;
@@ -46,6 +47,15 @@ FluidState InitialState::operator()(const Vec<Dim>& x) const {
         state.pressure, solver_.soundSpeed));
   state.density = referenceDensity_ * (gamma == 1 ? base : std::pow(base, 1 / gamma));
   return state;
+}
+
+FluidState InitialState::withDensity(double density) const {
+  if (isGiven_) return {pressure_, density};
+  const double gamma = solver_.taitExponent;
+  const double stiffness = referenceDensity_ * solver_.soundSpeed * solver_.soundSpeed / gamma;
+  return {
+      solver_.backgroundPressure + stiffness * (std::pow(density / referenceDensity_, gamma) - 1),
+      density};
 }
 
 template FluidState InitialState::operator()(const Vec<1>&) const;

@@ -30,10 +30,15 @@ class InitialState {
   template <int Dim>
   FluidState operator()(const Vec<Dim>& x) const;
 
+  /// Of a density that is given: the pressure is the uniform one if the table names it, else that
+  /// of the equation of state.
+  FluidState withDensity(double density) const;
+
  private:
   SolverSettings solver_;
   double referenceDensity_;
   double pressure_;  ///< uniform, or at the surface
+  bool isGiven_;     ///< by the table
   double surface_ = 0;
   double gravity_ = 0;  ///< |g| [m/s^2]; 0: uniform
   CaseNode table_;

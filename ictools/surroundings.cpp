@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/surroundings.hpp"
 
+#include "ictools/equal_masses.hpp"
 #include "ictools/point_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plenum {
 
@@ -33,12 +35,12 @@ void eraseTaken(std::vector<Vec<Dim>>& points, IsTaken&& isTaken) {
 template <int Dim>
 std::vector<Vec<Dim>> freeShell(const std::vector<FluidFill<Dim>>& fluids, std::size_t own,
                                 const std::vector<WallFill<Dim>>& walls,
-                                const SceneFrame<Dim>& frame, double reach, double spacing) {
+                                const SceneFrame<Dim>& frame, double reach,
+                                const Lattice<Dim>& lattice) {
   const FluidFill<Dim>& fluid = fluids[own];
   const double roundOff = surfaceRoundOff * frame.spacing;
   const Box<Dim> box = frame.clipped(fluid.box.grown(reach));
-  auto points = latticePoints(continued(fluid, frame, spacing), box, *fluid.region,
-                              DistanceBand{-roundOff, reach});
+  auto points = latticePoints(lattice, box, *fluid.region, DistanceBand{-roundOff, reach});
   for (std::size_t k = 0; k < fluids.size(); ++k) {
     if (k == own || !fluids[k].region) continue;
     // What lies outside of two fluids belongs to the shell of the first.
@@ -56,13 +58,36 @@ std::vector<Vec<Dim>> freeShell(const std::vector<FluidFill<Dim>>& fluids, std::
   return points;
 }
 
+/// How a fluid goes on behind its free surface.
+struct Shell {
+  double reach;    ///< [m]
+  double spacing;  ///< d_ref of its lattice [m]
+};
+
+/// From the particles nearest to the surface: the finest of their spacings, the largest support.
+template <int Dim>
+Shell shellOf(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double lengthOverSpacing) {
+  if (!fluid.settings.spacingFollowsDensity()) return {frame.support(), frame.spacing};
+  const auto volumes = targetVolumes<Dim>(fluid, fluid.points);
+  const auto distances = signedDistances<Dim>(*fluid.region, fluid.points);
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (std::size_t k = 0; k < volumes.size(); ++k) {
+    const double edge = std::pow(volumes[k], 1.0 / Dim);
+    if (-distances[k] > 2 * edge) continue;
+    least = std::min(least, edge);
+    most = std::max(most, edge);
+  }
+  if (most == 0) return {frame.support(), frame.spacing};
+  const double cellEdge = std::pow(fluid.lattice.cellVolume(), 1.0 / Dim);
+  return {2 * lengthOverSpacing * most, frame.spacing * least / cellEdge};
+}
+
 }  // namespace
 
 template <int Dim>
 std::vector<FixedPoint<Dim>> surroundings(const std::vector<FluidFill<Dim>>& fluids,
                                           const std::vector<WallFill<Dim>>& walls,
-                                          const SceneFrame<Dim>& frame, double reach,
-                                          double spacing) {
+                                          const SceneFrame<Dim>& frame, double lengthOverSpacing) {
   std::vector<FixedPoint<Dim>> fixed;
   Box<Dim> box = fluids.front().box;
   for (const auto& wall : walls)
@@ -72,11 +97,13 @@ std::vector<FixedPoint<Dim>> surroundings(const std::vector<FluidFill<Dim>>& flu
     }
   const bool everywhere = std::ranges::any_of(fluids, [](const auto& f) { return !f.region; });
   if (everywhere) return fixed;
-  PointGrid<Dim> taken(frame.clipped(box.grown(spacing)), closestInWalls * spacing, fixed.size());
+  PointGrid<Dim> taken(frame.clipped(box.grown(frame.spacing)), closestInWalls * frame.spacing,
+                       fixed.size());
   for (const FixedPoint<Dim>& point : fixed) taken.insert(point.position);
   for (std::size_t k = 0; k < fluids.size(); ++k) {
-    const Lattice<Dim> lattice = continued(fluids[k], frame, spacing);
-    for (const Vec<Dim>& x : freeShell(fluids, k, walls, frame, reach, spacing))
+    const Shell shell = shellOf(fluids[k], frame, lengthOverSpacing);
+    const Lattice<Dim> lattice = continued(fluids[k], frame, shell.spacing);
+    for (const Vec<Dim>& x : freeShell(fluids, k, walls, frame, shell.reach, lattice))
       if (!std::isfinite(taken.nearest(x))) fixed.push_back({x, lattice.cellVolume()});
   }
   return fixed;
@@ -84,12 +111,12 @@ std::vector<FixedPoint<Dim>> surroundings(const std::vector<FluidFill<Dim>>& flu
 
 template std::vector<FixedPoint<1>> surroundings(const std::vector<FluidFill<1>>&,
                                                  const std::vector<WallFill<1>>&,
-                                                 const SceneFrame<1>&, double, double);
+                                                 const SceneFrame<1>&, double);
 template std::vector<FixedPoint<2>> surroundings(const std::vector<FluidFill<2>>&,
                                                  const std::vector<WallFill<2>>&,
-                                                 const SceneFrame<2>&, double, double);
+                                                 const SceneFrame<2>&, double);
 template std::vector<FixedPoint<3>> surroundings(const std::vector<FluidFill<3>>&,
                                                  const std::vector<WallFill<3>>&,
-                                                 const SceneFrame<3>&, double, double);
+                                                 const SceneFrame<3>&, double);
 
 }  // namespace plenum

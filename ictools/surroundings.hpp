@@ -12,13 +12,13 @@ struct FixedPoint {
   double volume = 0;  ///< that it stands for [m^d]
 };
 
-/// What stands around the fluids as far as `reach` [m]: the walls' particles, and where a fluid
-/// ends without a wall (a free surface) lattice points of spacing `spacing` [m] as if it went on
-/// there, so that nothing spreads into the void.
+/// What stands around the fluids as far as kernels reach: the walls' particles, and where a fluid
+/// ends without a wall (a free surface) lattice points as if it went on there, so that nothing
+/// spreads into the void. `lengthOverSpacing` is h over the edge of a particle's volume. Where
+/// spacing follows density, lattice and reach are those of the fluid along its surface.
 template <int Dim>
 std::vector<FixedPoint<Dim>> surroundings(const std::vector<FluidFill<Dim>>& fluids,
                                           const std::vector<WallFill<Dim>>& walls,
-                                          const SceneFrame<Dim>& frame, double reach,
-                                          double spacing);
+                                          const SceneFrame<Dim>& frame, double lengthOverSpacing);
 
 }  // namespace plenum

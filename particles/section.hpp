@@ -139,6 +139,15 @@ class Section {
                });
   }
 
+  /// A list of `count` numbers, whatever the case's dimension.
+  Section& numbers(const std::string& key, std::vector<double> S::*member, int count,
+                   const std::string& unit, const std::string& description) {
+    return add({key, std::to_string(count) + " numbers", unit, "", "", false, description},
+               [=](S& settings, const CaseNode& node, int) {
+                 settings.*member = section_detail::readVector(node, count);
+               });
+  }
+
   /// A list of strings.
   Section& texts(const std::string& key, std::vector<std::string> S::*member,
                  const std::string& description, std::vector<std::string> choices = {}) {
