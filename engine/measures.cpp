@@ -156,40 +156,48 @@ SpacingMeasures measureSpacing(const ParticleSet<Dim>& particles, const Box<Dim>
   return m;
 }
 
+namespace {
+
 template <int Dim>
-std::vector<double> nearestDistances(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
-                                     double spacing) {
-  const auto all = particles[field::position];
-  const PointSearch<Dim> search(all, domain, nearestRange * spacing);
-  std::vector<double> result(particles.nFluid());
-  forEachIndex(result.size(), [&](std::size_t i) {
-    double nearest = nearestRange * nearestRange * spacing * spacing;
-    search.around(all[i], [&](std::uint32_t j, const Vec<Dim>&, double d2) {
-      if (j != i) nearest = std::min(nearest, d2);
-    });
-    result[i] = std::sqrt(nearest) / spacing;
-  });
+Neighbourhood neighbourhoodOf(const Shell<Dim>& shell, double spacing) {
+  Neighbourhood result{nearestRange, std::numeric_limits<double>::quiet_NaN()};
+  if (shell.count == 0) return result;
+  result.nearest = std::min(nearestRange, std::sqrt(shell.distanceSquared[0]) / spacing);
+  if (shell.count < Shell<Dim>::size || shell.distanceSquared[0] == 0) return result;
+  if constexpr (Dim == 2) result.bondOrder = psi6Of(shell);
+  if constexpr (Dim == 3) result.bondOrder = q6Of(shell);
   return result;
 }
 
+}  // namespace
+
 template <int Dim>
-double measureBondOrder(const ParticleSet<Dim>& particles, const Box<Dim>& domain, double spacing) {
-  if constexpr (Dim == 1) return 0;
+std::vector<Neighbourhood> neighbourhoods(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
+                                          std::span<const double> spacing) {
   const auto all = particles[field::position];
-  const PointSearch<Dim> search(all, domain, nearestRange * spacing);
-  const auto sums = orderedSum<SpacingSums>(particles.nFluid(), [&](std::size_t i) {
-    Shell<Dim> shell;
-    search.around(all[i], [&](std::uint32_t j, const Vec<Dim>& d, double d2) {
-      if (j != i) shell.insert(d2, d);
+  const std::size_t n = particles.nFluid();
+  std::vector<Neighbourhood> result(n);
+  if (n == 0) return result;
+  // Spacings may differ by far: each octave of them has a search of its own, so that nobody looks
+  // through the crowd of much denser places.
+  const auto [least, most] =
+      std::minmax_element(spacing.begin(), spacing.begin() + static_cast<std::ptrdiff_t>(n));
+  for (double upper = 2 * *least, lower = 0; lower <= *most; lower = upper, upper *= 2) {
+    std::vector<std::size_t> who;
+    for (std::size_t i = 0; i < n; ++i)
+      if (spacing[i] >= lower && spacing[i] < upper) who.push_back(i);
+    if (who.empty()) continue;
+    const PointSearch<Dim> search(all, domain, nearestRange * std::min(upper, *most));
+    forEachIndex(who.size(), [&](std::size_t k) {
+      const std::size_t i = who[k];
+      Shell<Dim> shell;
+      search.around(all[i], [&](std::uint32_t j, const Vec<Dim>& d, double d2) {
+        if (j != i) shell.insert(d2, d);
+      });
+      result[i] = neighbourhoodOf(shell, spacing[i]);
     });
-    SpacingSums s;
-    if (shell.count < Shell<Dim>::size || shell.distanceSquared[0] == 0) return s;
-    if constexpr (Dim == 2) s.psi6 = psi6Of(shell);
-    if constexpr (Dim == 3) s.psi6 = q6Of(shell);
-    s.nPsi6 = 1;
-    return s;
-  });
-  return sums.nPsi6 > 0 ? sums.psi6 / sums.nPsi6 : 0;
+  }
+  return result;
 }
 
 template <int Dim>
@@ -233,14 +241,14 @@ std::size_t countLeft(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& i
 template SpacingMeasures measureSpacing<1>(const ParticleSet<1>&, const Box<1>&, double);
 template SpacingMeasures measureSpacing<2>(const ParticleSet<2>&, const Box<2>&, double);
 template SpacingMeasures measureSpacing<3>(const ParticleSet<3>&, const Box<3>&, double);
-template std::vector<double> nearestDistances(const ParticleSet<1>&, const Box<1>&, double);
-template double measureBondOrder(const ParticleSet<1>&, const Box<1>&, double);
+template std::vector<Neighbourhood> neighbourhoods(const ParticleSet<1>&, const Box<1>&,
+                                                   std::span<const double>);
 template double measureVoids<1>(const ParticleSet<1>&, const SceneInfo<1>&, bool);
-template std::vector<double> nearestDistances(const ParticleSet<2>&, const Box<2>&, double);
-template double measureBondOrder(const ParticleSet<2>&, const Box<2>&, double);
+template std::vector<Neighbourhood> neighbourhoods(const ParticleSet<2>&, const Box<2>&,
+                                                   std::span<const double>);
 template double measureVoids<2>(const ParticleSet<2>&, const SceneInfo<2>&, bool);
-template std::vector<double> nearestDistances(const ParticleSet<3>&, const Box<3>&, double);
-template double measureBondOrder(const ParticleSet<3>&, const Box<3>&, double);
+template std::vector<Neighbourhood> neighbourhoods(const ParticleSet<3>&, const Box<3>&,
+                                                   std::span<const double>);
 template double measureVoids<3>(const ParticleSet<3>&, const SceneInfo<3>&, bool);
 template std::size_t countLeft<1>(const ParticleSet<1>&, const SceneInfo<1>&);
 template std::size_t countLeft<2>(const ParticleSet<2>&, const SceneInfo<2>&);

@@ -6,6 +6,7 @@
 
 #include "particles/scene.hpp"
 
+#include <span>
 #include <vector>
 
 namespace plenum {
@@ -25,17 +26,20 @@ template <int Dim>
 SpacingMeasures measureSpacing(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
                                double spacing);
 
-/// Distance of every fluid particle to the nearest particle, walls included [d_ref]; 2.5 where
-/// there is none so near.
-template <int Dim>
-std::vector<double> nearestDistances(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
-                                     double spacing);
+/// What a fluid particle has around it, walls included.
+struct Neighbourhood {
+  double nearest = 0;  ///< distance to the nearest particle, in its own spacing; 2.5: none so near
+  double bondOrder =
+      0;  ///< |psi_6| over six neighbours in 2-D (1: hexagonal), q_6 over twelve in 3-D
+          ///< (hcp .485, fcc .575, random about .29); NaN where there are fewer, and in 1-D
+};
 
-/// How regular the neighbourhoods of fluid particles are, walls included: in 2-D the mean |psi_6|
-/// over six neighbours (1: hexagonal), in 3-D the mean q_6 over twelve (hcp .485, fcc .575, random
-/// about .29; Steinhardt et al. 1983, doi 10.1103/PhysRevB.28.784); 0 in 1-D.
+/// Neighbourhoods of all fluid particles; spacing[i] is the distance at which particle i is meant
+/// to have its neighbours [m], length size() or nFluid(). q_6: Steinhardt et al. 1983,
+/// doi 10.1103/PhysRevB.28.784.
 template <int Dim>
-double measureBondOrder(const ParticleSet<Dim>& particles, const Box<Dim>& domain, double spacing);
+std::vector<Neighbourhood> neighbourhoods(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
+                                          std::span<const double> spacing);
 
 /// void1: share of the points of a grid (spacing d_ref/3) in the container that are further than
 /// d_ref from any particle, walls included. With a free surface only those points count that have

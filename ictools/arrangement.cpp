@@ -19,6 +19,10 @@ constexpr FieldSet arranged{field::position, field::velocity, field::mass,     f
 /// that this is for those that were thrown there.
 constexpr double margin = 0.1;
 
+/// Volumes follow the density at a particle's place by this power in an iteration: where the
+/// density jumps, particles that swing from one side to the other find a volume between.
+constexpr double adaptation = 0.2;
+
 /// The list of neighbours lives for some steps at the end, when moves are small.
 constexpr double skin = 0.2;
 
@@ -52,6 +56,7 @@ Arrangement<Dim>::Arrangement(const std::vector<FluidFill<Dim>>& fluids,
   for (const auto& fluid : fluids) nFluid += fluid.points.size();
   particles_ = ParticleSet<Dim>(adaptive ? arranged | FieldSet{field::smoothingLength} : arranged,
                                 nFluid, fixed.size());
+  domain_ = frame.domain;
   addFluids();
   for (std::size_t k = 0; k < fixed.size(); ++k) {
     particles_[field::position][nFluid + k] = fixed[k].position;
@@ -81,7 +86,7 @@ template <int Dim>
 void Arrangement<Dim>::addFluids() {
   std::size_t i = 0;
   for (std::size_t k = 0; k < fluids_.size(); ++k) {
-    const std::vector<double> volumes = targetVolumes<Dim>(fluids_[k], fluids_[k].points);
+    const std::vector<double> volumes = targetVolumes<Dim>(fluids_[k], fluids_[k].points, domain_);
     for (std::size_t p = 0; p < volumes.size(); ++p, ++i) {
       particles_[field::position][i] = fluids_[k].points[p];
       particles_[field::mass][i] = volumes[p];
@@ -104,10 +109,11 @@ void Arrangement<Dim>::retarget() {
         who.push_back(i);
         points.push_back(domain_.wrap(position[i]));
       }
-    const std::vector<double> volumes = targetVolumes<Dim>(fluids_[k], points);
+    const std::vector<double> volumes = targetVolumes<Dim>(fluids_[k], points, domain_);
     for (std::size_t p = 0; p < who.size(); ++p) {
-      growth = std::max(growth, volumes[p] / volume[who[p]]);
-      volume[who[p]] = volumes[p];
+      const double factor = std::pow(volumes[p] / volume[who[p]], adaptation);
+      growth = std::max(growth, factor);
+      volume[who[p]] *= factor;
     }
   }
   if (growth == 1) return;

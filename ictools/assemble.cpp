@@ -137,7 +137,8 @@ std::vector<std::pair<std::string, double>> qualityFigures(
     const double whole = fluid.settings.density * fluid.volume.value;
     figures.emplace_back(name + ": particles", fluid.points.size());
     figures.emplace_back(name + ": mass", mass);
-    if (fluid.nCovered == 0) figures.emplace_back(name + ": density x volume", whole);
+    if (fluid.nCovered == 0 && !fluid.profile)
+      figures.emplace_back(name + ": density x volume", whole);
     figures.emplace_back(name + ": left to earlier fluids", fluid.nCovered);
     for (int a = 0; a < Dim; ++a)
       if (domain.isPeriodic(a) && fluid.settings.lattice != "random")

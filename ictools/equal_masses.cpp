@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/equal_masses.hpp"
 
+#include "particles/parallel.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +12,10 @@
 namespace plenum {
 
 namespace {
+
+/// Densities are blurred over that many spacings to both sides along each axis, so that where they
+/// jump, a particle's volume does not jump with each of its moves.
+constexpr double blur = 0.7;
 
 const std::string& plainLattice(int dimension) {
   static const std::string names[] = {"uniform", "square", "cubic"};
@@ -88,19 +94,47 @@ void fillWithEqualMasses(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, Ra
 }
 
 template <int Dim>
-std::vector<double> targetVolumes(const FluidFill<Dim>& fluid, std::span<const Vec<Dim>> points) {
+std::vector<double> targetVolumes(const FluidFill<Dim>& fluid, std::span<const Vec<Dim>> points,
+                                  const Box<Dim>& domain) {
   if (!fluid.settings.spacingFollowsDensity())
     return std::vector<double>(points.size(), fluid.meanVolume());
   auto volumes = densitiesAt<Dim>(*fluid.profile, points, at(fluid.settings.node, "profile"));
-  for (double& v : volumes) v = fluid.particleMass / v;
+  constexpr std::size_t batch = 512, nAround = 2 * Dim;
+  parallelFor((points.size() + batch - 1) / batch, [&](std::size_t b) {
+    const std::size_t first = b * batch, count = std::min(batch, points.size() - first);
+    std::vector<Vec<Dim>> around;  // all at once: a formula is parsed for each call
+    for (std::size_t k = first; k < first + count; ++k) {
+      const double reach = blur * std::pow(fluid.particleMass / volumes[k], 1.0 / Dim);
+      for (int side = 0; side < static_cast<int>(nAround); ++side) {
+        Vec<Dim> x = points[k];
+        x[side / 2] += side % 2 == 0 ? reach : -reach;
+        around.push_back(domain.wrap(x));
+      }
+    }
+    std::vector<double> density(around.size());
+    fluid.profile->at(around, density);
+    for (std::size_t k = 0; k < count; ++k) {
+      double sum = volumes[first + k], n = 1;
+      for (std::size_t side = 0; side < nAround; ++side) {
+        const double rho = density[k * nAround + side];
+        if (!(rho > 0 && std::isfinite(rho))) continue;  // a table may end there
+        sum += rho;
+        n += 1;
+      }
+      volumes[first + k] = fluid.particleMass * n / sum;
+    }
+  });
   return volumes;
 }
 
 template void fillWithEqualMasses(FluidFill<1>&, const SceneFrame<1>&, Random);
 template void fillWithEqualMasses(FluidFill<2>&, const SceneFrame<2>&, Random);
 template void fillWithEqualMasses(FluidFill<3>&, const SceneFrame<3>&, Random);
-template std::vector<double> targetVolumes(const FluidFill<1>&, std::span<const Vec<1>>);
-template std::vector<double> targetVolumes(const FluidFill<2>&, std::span<const Vec<2>>);
-template std::vector<double> targetVolumes(const FluidFill<3>&, std::span<const Vec<3>>);
+template std::vector<double> targetVolumes(const FluidFill<1>&, std::span<const Vec<1>>,
+                                           const Box<1>&);
+template std::vector<double> targetVolumes(const FluidFill<2>&, std::span<const Vec<2>>,
+                                           const Box<2>&);
+template std::vector<double> targetVolumes(const FluidFill<3>&, std::span<const Vec<3>>,
+                                           const Box<3>&);
 
 }  // namespace plenum

@@ -16,8 +16,10 @@ namespace plenum {
 template <int Dim>
 void fillWithEqualMasses(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, Random random);
 
-/// Volume that each of a fluid's particles is meant to have at `points` [m^d].
+/// Volume that each of a fluid's particles is meant to have at `points` [m^d]: that of the density
+/// averaged over about a spacing.
 template <int Dim>
-std::vector<double> targetVolumes(const FluidFill<Dim>& fluid, std::span<const Vec<Dim>> points);
+std::vector<double> targetVolumes(const FluidFill<Dim>& fluid, std::span<const Vec<Dim>> points,
+                                  const Box<Dim>& domain);
 
 }  // namespace plenum

@@ -142,9 +142,9 @@ void addFigures(const RelaxationResult& relaxed, SceneInfo<Dim>& info) {
 }  // namespace
 
 template <int Dim>
-Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
-                    const std::filesystem::path& casePath, const Warn& warn,
-                    const RelaxationWatch& watch) {
+Generated<Dim> generate(const CaseNode& root, const CaseSettings& settings,
+                        const std::filesystem::path& casePath, const Warn& warn,
+                        const RelaxationWatch& watch) {
   const SceneFrame<Dim> frame = sceneFrame<Dim>(root, settings);
   const Regions<Dim> regions(settings, casePath.parent_path());
   auto fluids = prepareFluids(settings, regions, casePath.parent_path(), frame, warn);
@@ -169,14 +169,16 @@ Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
   scene.info.quality =
       qualityFigures(fluids, walls, scene.particles, scene.info.domain, frame.spacing);
   if (relaxed) addFigures(*relaxed, scene.info);
-  return scene;
+  std::vector<DensityProfilePtr<Dim>> profiles;
+  for (const auto& fluid : fluids) profiles.push_back(fluid.profile);
+  return {std::move(scene), std::move(profiles), std::move(relaxed)};
 }
 
-template Scene<1> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
-                           const Warn&, const RelaxationWatch&);
-template Scene<2> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
-                           const Warn&, const RelaxationWatch&);
-template Scene<3> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
-                           const Warn&, const RelaxationWatch&);
+template Generated<1> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
+                               const Warn&, const RelaxationWatch&);
+template Generated<2> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
+                               const Warn&, const RelaxationWatch&);
+template Generated<3> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
+                               const Warn&, const RelaxationWatch&);
 
 }  // namespace plenum

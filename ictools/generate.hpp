@@ -10,6 +10,14 @@
 
 namespace plenum {
 
+/// What came of a case.
+template <int Dim>
+struct Generated {
+  Scene<Dim> scene;
+  std::vector<DensityProfilePtr<Dim>> profiles;  ///< of the materials; null where there is none
+  std::optional<RelaxationResult> relaxation;    ///< if the case asks for one
+};
+
 /// From a case to a set of particles: geometry, fluids, walls, container, numbers.
 ///
 /// Fluid particles stand first, fluid by fluid, then walls; ids count walls first (1 ... Nw). Every
@@ -17,9 +25,9 @@ namespace plenum {
 /// their material, walls their wall, normal and depth behind the surface. `info.quality` holds the
 /// figures that `describe` prints. Throws InputError with file, line, key and remedy.
 template <int Dim>
-Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
-                    const std::filesystem::path& casePath, const Warn& warn,
-                    const RelaxationWatch& watch = {});
+Generated<Dim> generate(const CaseNode& root, const CaseSettings& settings,
+                        const std::filesystem::path& casePath, const Warn& warn,
+                        const RelaxationWatch& watch = {});
 
 /// Particles, masses, spacings and layers in some lines, for the terminal.
 template <int Dim>

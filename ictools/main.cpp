@@ -58,8 +58,15 @@ class RelaxationProgress {
   explicit RelaxationProgress(bool quiet) : quiet_(quiet) {}
 
   RelaxationWatch watch() {
-    return {[this](const RelaxationState& state) { show(state); },
-            [this](const RelaxationResult& result) { end(result); }};
+    return [this](const RelaxationState& state) { show(state); };
+  }
+
+  /// To be called when it is over.
+  void end(const RelaxationResult& result) {
+    progress_->finish(fmt::format("scatter {:.3f} % at iteration {} of {}: {}",
+                                  100 * result.best.scatter, result.best.iteration,
+                                  result.history.back().iteration, result.reason));
+    failed_ = !result.settled;
   }
 
   int exitCode() const { return failed_ ? exitInputAtFault : exitOk; }
@@ -70,12 +77,6 @@ class RelaxationProgress {
     progress_->update(
         0, fmt::format("iteration {}: scatter {:.3f} %, moves {:.4f} d_ref", state.iteration,
                        100 * state.scatter, state.iteration == 0 ? 0 : state.move));
-  }
-  void end(const RelaxationResult& result) {
-    progress_->finish(fmt::format("scatter {:.3f} % at iteration {} of {}: {}",
-                                  100 * result.best.scatter, result.best.iteration,
-                                  result.history.back().iteration, result.reason));
-    failed_ = !result.settled;
   }
 
   bool quiet_, failed_ = false;
@@ -90,7 +91,7 @@ void withDimension(int dimension, Visit&& visit) {
   if (dimension == 3) visit(std::integral_constant<int, 3>{});
 }
 
-/// Reads the case with the values of --set, makes the scene and calls use(scene).
+/// Reads the case with the values of --set, makes the scene and calls use(generated).
 template <class Use>
 void withGenerated(const Options& options, const RelaxationWatch& watch, Use&& use) {
   CaseNode root = CaseNode::load(options.input);
@@ -121,9 +122,9 @@ fs::path outputPath(const Options& options, const char* ending) {
 
 /// Judges the scene, writes the report beside the file and its figures into the scene.
 template <int Dim>
-void writeReport(const fs::path& path, Scene<Dim>& scene, bool quiet) {
-  const Report report = reportOn(scene);
-  for (const auto& figure : figuresOf(report)) scene.info.quality.push_back(figure);
+void writeReport(const fs::path& path, Generated<Dim>& made, bool quiet) {
+  const Report report = reportOn(made.scene, made.profiles);
+  for (const auto& figure : figuresOf(report)) made.scene.info.quality.push_back(figure);
   const auto beside = [&](const char* ending) { return fs::path(path).replace_extension(ending); };
   writeTextFile(beside(".report.txt"), printed(report));
   writeTextFile(beside(".report.json"), json(report));
@@ -135,9 +136,11 @@ int runGenerate(const Options& options) {
   CaseNode::load(options.input);  // says so at once if it is no case
   const fs::path path = outputPath(options, ".hdf");
   RelaxationProgress relaxing(options.quiet);
-  withGenerated(options, relaxing.watch(), [&](auto scene) {
+  withGenerated(options, relaxing.watch(), [&](auto made) {
+    auto& scene = made.scene;
+    if (made.relaxation) relaxing.end(*made.relaxation);
     if (!options.quiet) std::cout << describe(scene);
-    if (!options.noReport) writeReport(path, scene, options.quiet);
+    if (!options.noReport) writeReport(path, made, options.quiet);
     writeParticleFile(path, scene);
     if (options.quiet) return;
     std::cout << fmt::format("  {}: {:.2f} MB\nnext: plenum-sph run {}\n", path.string(),
@@ -153,7 +156,7 @@ int runPreview(const Options& options) {
     if (!options.quiet) std::cout << path.string() << '\n';
   };
   if (fs::path(options.input).extension() == ".toml")
-    withGenerated(options, {}, draw);
+    withGenerated(options, {}, [&](const auto& made) { draw(made.scene); });
   else
     withParticleFile(options.input, draw);
   return exitOk;

@@ -164,14 +164,13 @@ RelaxationResult relax(std::vector<FluidFill<Dim>>& fluids, const std::vector<Wa
       best = arrangement.positions();
     }
     result.history.push_back(state);
-    if (watch.iteration) watch.iteration(state);
+    if (watch) watch(state);
     if (ending.isReached(result)) break;
     method->plan(arrangement, state);
     move = arrangement.move();
     arrangement.retarget();
   }
   distribute(best, fluids);
-  if (watch.end) watch.end(result);
   return result;
 }
 

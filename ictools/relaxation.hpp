@@ -25,11 +25,8 @@ struct RelaxationResult {
   std::string reason;                    ///< why it ended: "scatter 0.0021 <= 0.005"
 };
 
-/// Who wants to see it.
-struct RelaxationWatch {
-  std::function<void(const RelaxationState&)> iteration = {};  ///< after each
-  std::function<void(const RelaxationResult&)> end = {};
-};
+/// Called after each iteration.
+using RelaxationWatch = std::function<void(const RelaxationState&)>;
 
 /// Moves the particles of all fluids until the kernel sums over their neighbours are the same
 /// everywhere. V_j are the volumes that particles are meant to have: mass over target density.

@@ -2,9 +2,11 @@
 #include "ictools/report.hpp"
 
 #include "engine/engine.hpp"
+#include "engine/measures.hpp"
 #include "engine/ordered_sum.hpp"
 #include "engine/point_search.hpp"
 #include "ictools/neighbour_sums.hpp"
+#include "ictools/profile_errors.hpp"
 #include "particles/parallel.hpp"
 
 #include <algorithm>
@@ -42,7 +44,7 @@ QualitySums<Dim> qualitySums(const Scene<Dim>& scene, ParticleSet<Dim>& particle
 
 /// Whether nobody stands where the gradient of the kernel sum misses somebody: no particle within
 /// two spacings and 45 degrees of the direction into the void (after Marrone et al. 2010, doi
-/// 10.1016/j.jcp.2010.01.019).
+/// 10.1016/j.jcp.2010.01.019). `all` reaches two spacings or more.
 template <int Dim>
 bool isAtFreeSurface(const Vec<Dim>& x, const Vec<Dim>& gradient, double spacing,
                      const PointSearch<Dim>& all) {
@@ -53,59 +55,74 @@ bool isAtFreeSurface(const Vec<Dim>& x, const Vec<Dim>& gradient, double spacing
   const Vec<Dim> intoVoid = -gradient / length;
   bool covered = false;
   all.around(x, [&](std::uint32_t, const Vec<Dim>& d, double d2) {
-    covered |= d2 > 0 && dot(d, intoVoid) > std::sqrt(0.5 * d2);
+    covered |= d2 > 0 && d2 < 4 * spacing * spacing && dot(d, intoVoid) > std::sqrt(0.5 * d2);
   });
   return !covered;
 }
 
-/// Marks the particles that have one of `others` within `reach` [m].
+/// Marks the particles that have one of `others` within their reach [m].
 template <int Dim>
-std::vector<std::uint8_t> near(std::span<const Vec<Dim>> particles,
-                               std::span<const Vec<Dim>> others, const Box<Dim>& domain,
-                               double reach) {
+std::vector<std::uint8_t> near(std::span<const Vec<Dim>> particles, std::span<const double> reach,
+                               std::span<const Vec<Dim>> others, const Box<Dim>& domain) {
   std::vector<std::uint8_t> result(particles.size());
-  if (others.empty()) return result;
-  const PointSearch<Dim> search(others, domain, reach);
+  if (others.empty() || particles.empty()) return result;
+  const PointSearch<Dim> search(others, domain, *std::max_element(reach.begin(), reach.end()));
   forEachIndex(particles.size(), [&](std::size_t i) {
-    search.around(particles[i], [&](std::uint32_t, const Vec<Dim>&, double) { result[i] = 1; });
+    search.around(particles[i], [&](std::uint32_t, const Vec<Dim>&, double d2) {
+      if (d2 < reach[i] * reach[i]) result[i] = 1;
+    });
   });
   return result;
 }
 
-/// Particles that have one of another fluid within `reach` [m].
+/// Particles that have one of another fluid within their reach [m].
 template <int Dim>
 std::vector<std::uint8_t> nearOtherFluid(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
-                                         double reach) {
+                                         std::span<const double> reach) {
   std::vector<std::uint8_t> result(particles.nFluid());
   if (!particles.has(field::material)) return result;
   const auto material = particles[field::material];
   const auto [least, most] = std::minmax_element(material.begin(), material.end());
   if (material.empty() || *least == *most) return result;
   const auto position = particles[field::position];
-  const PointSearch<Dim> search(position.first(particles.nFluid()), domain, reach);
+  const PointSearch<Dim> search(position.first(particles.nFluid()), domain,
+                                *std::max_element(reach.begin(), reach.end()));
   forEachIndex(result.size(), [&](std::size_t i) {
-    search.around(position[i], [&](std::uint32_t j, const Vec<Dim>&, double) {
-      if (material[j] != material[i]) result[i] = 1;
+    search.around(position[i], [&](std::uint32_t j, const Vec<Dim>&, double d2) {
+      if (material[j] != material[i] && d2 < reach[i] * reach[i]) result[i] = 1;
     });
   });
   return result;
 }
 
+/// d_ref where smoothing lengths are that of the scene, in proportion elsewhere [m].
+template <int Dim>
+std::vector<double> localSpacings(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particles) {
+  std::vector<double> spacing(particles.nFluid());
+  for (std::size_t i = 0; i < spacing.size(); ++i)
+    spacing[i] = info.spacing * particles[field::smoothingLength][i] / info.smoothingLength;
+  return spacing;
+}
+
 template <int Dim>
 std::vector<Place> placesOf(const Scene<Dim>& scene, const ParticleSet<Dim>& particles,
                             const QualitySums<Dim>& sums) {
-  const double support = 2 * scene.info.smoothingLength, spacing = scene.info.spacing;
   const Box<Dim>& domain = scene.info.domain;
   const auto position = particles[field::position];
   const auto fluid = position.first(particles.nFluid());
-  const PointSearch<Dim> all(position, domain, 2 * spacing);
+  const std::vector<double> spacing = localSpacings(scene.info, particles);
+  std::vector<double> reach(fluid.size());
+  for (std::size_t i = 0; i < reach.size(); ++i)
+    reach[i] = 2 * particles[field::smoothingLength][i];
+  const PointSearch<Dim> all(position, domain,
+                             2 * *std::max_element(spacing.begin(), spacing.end()));
   std::vector<Vec<Dim>> surface;
   for (std::size_t i = 0; i < fluid.size(); ++i)
-    if (isAtFreeSurface(fluid[i], sums.kernelGradient[i], spacing, all))
+    if (isAtFreeSurface(fluid[i], sums.kernelGradient[i], spacing[i], all))
       surface.push_back(fluid[i]);
-  const auto atWall = near<Dim>(fluid, position.subspan(fluid.size()), domain, support);
-  const auto atSurface = near<Dim>(fluid, surface, domain, support);
-  const auto atFluid = nearOtherFluid(particles, domain, support);
+  const auto atWall = near<Dim>(fluid, reach, position.subspan(fluid.size()), domain);
+  const auto atSurface = near<Dim>(fluid, reach, surface, domain);
+  const auto atFluid = nearOtherFluid<Dim>(particles, domain, reach);
   std::vector<Place> places(fluid.size());
   for (std::size_t i = 0; i < places.size(); ++i)
     places[i] = atWall[i]      ? Place::wall
@@ -133,10 +150,10 @@ struct PlaceSums {
 template <int Dim>
 PlaceFigures figuresAt(Place place, const std::vector<Place>& places,
                        const std::vector<double>& error, const QualitySums<Dim>& sums,
-                       double spacing) {
+                       const std::vector<double>& spacing) {
   const auto total = orderedSum<PlaceSums>(places.size(), [&](std::size_t i) {
     if (places[i] != place) return PlaceSums{};
-    const double gradient = norm(sums.kernelGradient[i]) * spacing;
+    const double gradient = norm(sums.kernelGradient[i]) * spacing[i];
     return PlaceSums{1,        error[i], error[i] * error[i], std::abs(error[i]), sums.kernelSum[i],
                      gradient, gradient};
   });
@@ -196,33 +213,72 @@ std::vector<FluidMass> massesOf(const Scene<Dim>& scene) {
   return masses;
 }
 
-/// Mean volume of a fluid particle [m^d].
+/// Volume of a particle that has as many neighbours within the scene's support as the mean particle
+/// has within its own [m^d].
 template <int Dim>
-double meanVolume(const ParticleSet<Dim>& particles) {
-  const auto mass = particles[field::mass], density = particles[field::density];
-  return orderedSum<double>(particles.nFluid(),
-                            [&](std::size_t i) { return mass[i] / density[i]; }) /
-         static_cast<double>(particles.nFluid());
+double meanVolume(const Scene<Dim>& scene) {
+  const auto mass = scene.particles[field::mass], density = scene.particles[field::density];
+  const auto length = scene.particles[field::smoothingLength];
+  const double n = static_cast<double>(scene.particles.nFluid());
+  return orderedSum<double>(scene.particles.nFluid(),
+                            [&](std::size_t i) {
+                              return mass[i] / density[i] *
+                                     power<Dim>(scene.info.smoothingLength / length[i]);
+                            }) /
+         n;
 }
 
 template <int Dim>
-void judgeDensity(const Scene<Dim>& scene, Report& report) {
+void judgeDensity(const Scene<Dim>& scene, const std::vector<DensityProfilePtr<Dim>>& profiles,
+                  Report& report) {
   ParticleSet<Dim> particles = scene.particles;  // the engine sorts
   const QualitySums<Dim> sums = qualitySums(scene, particles);
   const std::vector<Place> places = placesOf(scene, particles, sums);
+  const std::vector<double> spacing = localSpacings(scene.info, particles);
   const auto density = particles[field::density];
   std::vector<double> error(particles.nFluid());
   forEachIndex(error.size(), [&](std::size_t i) { error[i] = sums.density[i] / density[i] - 1; });
   for (std::size_t p = 0; p < nPlaces; ++p)
-    report.places[p] = figuresAt(Place(p), places, error, sums, scene.info.spacing);
+    report.places[p] = figuresAt(Place(p), places, error, sums, spacing);
   report.densityHistogram =
       errorHistogram(error, places, report.places[static_cast<std::size_t>(Place::inside)]);
+  std::vector<std::uint8_t> inside(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) inside[i] = places[i] == Place::inside;
+  report.profile = profileErrors<Dim>(KernelId::named(scene.info.kernel), particles,
+                                      scene.info.domain, sums.density, inside, profiles);
+}
+
+template <int Dim>
+void judgeSpacing(const Scene<Dim>& scene, Report& report) {
+  const auto around = neighbourhoods<Dim>(scene.particles, scene.info.domain,
+                                          localSpacings(scene.info, scene.particles));
+  const double share = 1 / static_cast<double>(around.size());
+  SpacingFigures& figures = report.nearest;
+  figures.least = std::numeric_limits<double>::infinity();
+  std::vector<double> nearest;
+  double order = 0, nOrdered = 0;
+  for (const Neighbourhood& here : around) {
+    nearest.push_back(here.nearest);
+    figures.least = std::min(figures.least, here.nearest);
+    figures.largest = std::max(figures.largest, here.nearest);
+    figures.mean += share * here.nearest;
+    figures.below01 += here.nearest < 0.1 ? share : 0;
+    figures.below05 += here.nearest < 0.5 ? share : 0;
+    figures.below085 += here.nearest < 0.85 ? share : 0;
+    report.nOverlaps += here.nearest < overlapping;
+    report.nIsolated += here.nearest > isolated;
+    if (std::isnan(here.bondOrder)) continue;
+    order += here.bondOrder;
+    nOrdered += 1;
+  }
+  report.bondOrder = nOrdered > 0 ? order / nOrdered : 0;
+  report.nearestHistogram = histogram(nearest, 0, 0.05, 40);
 }
 
 }  // namespace
 
 template <int Dim>
-Report reportOn(const Scene<Dim>& scene) {
+Report reportOn(const Scene<Dim>& scene, const std::vector<DensityProfilePtr<Dim>>& profiles) {
   const SceneInfo<Dim>& info = scene.info;
   Report report;
   report.title = info.title;
@@ -233,25 +289,17 @@ Report reportOn(const Scene<Dim>& scene) {
   report.nFluid = scene.particles.nFluid();
   report.nWalls = scene.particles.nWalls();
   report.masses = massesOf(scene);
-  report.nearest = measureSpacing(scene.particles, info.domain, info.spacing);
-  const std::vector<double> nearest = nearestDistances(scene.particles, info.domain, info.spacing);
-  report.largestNearest = nearest.empty() ? 0 : *std::max_element(nearest.begin(), nearest.end());
-  report.nearestHistogram = histogram(nearest, 0, 0.05, 40);
-  for (const double d : nearest) {
-    report.nOverlaps += d < overlapping;
-    report.nIsolated += d > isolated;
-  }
-  report.bondOrder = measureBondOrder(scene.particles, info.domain, info.spacing);
+  judgeSpacing(scene, report);
   for (const Wall& wall : info.walls)
     report.walls.push_back({wall.name, wall.thickness, 2 * info.smoothingLength});
-  judgeDensity(scene, report);
-  report.pairing = forecastPairing(KernelId::named(info.kernel), Dim, info.smoothingLength,
-                                   meanVolume(scene.particles));
+  judgeDensity(scene, profiles, report);
+  report.pairing =
+      forecastPairing(KernelId::named(info.kernel), Dim, info.smoothingLength, meanVolume(scene));
   return report;
 }
 
-template Report reportOn(const Scene<1>&);
-template Report reportOn(const Scene<2>&);
-template Report reportOn(const Scene<3>&);
+template Report reportOn(const Scene<1>&, const std::vector<DensityProfilePtr<1>>&);
+template Report reportOn(const Scene<2>&, const std::vector<DensityProfilePtr<2>>&);
+template Report reportOn(const Scene<3>&, const std::vector<DensityProfilePtr<3>>&);
 
 }  // namespace plenum

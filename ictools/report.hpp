@@ -3,7 +3,7 @@
 // The report card of a particle set: what a run will see in its first step.
 #pragma once
 
-#include "engine/measures.hpp"
+#include "ictools/density_profile.hpp"
 #include "ictools/pairing_forecast.hpp"
 #include "particles/scene.hpp"
 
@@ -53,19 +53,34 @@ struct Histogram {
   std::vector<double> share;    ///< of all values; the last bin has those beyond, too
 };
 
+/// Distances of fluid particles to the nearest particle of any kind, in units of d_ref; where
+/// smoothing lengths differ, of d_ref times a particle's own over that of the scene.
+struct SpacingFigures {
+  double least = 0, mean = 0, largest = 0;        ///< 2.5: nobody so near
+  double below01 = 0, below05 = 0, below085 = 0;  ///< shares of particles nearer than .1, .5, .85
+};
+
+/// How well densities meet a profile, in places whose support lies in the fluid: relative L2
+/// errors.
+struct ProfileErrors {
+  std::size_t n = 0;    ///< particles looked at
+  double smoothed = 0;  ///< against the profile smoothed with the same kernel
+  double sharp = 0;     ///< against the profile as it is
+};
+
 struct Report {
   std::string title, kernel;
   int dimension = 0;
   double spacing = 0, smoothingLength = 0;  ///< [m]
   std::size_t nFluid = 0, nWalls = 0;
   std::vector<FluidMass> masses;
-  SpacingMeasures nearest;  ///< distances to the nearest particle of any kind, in d_ref
-  double largestNearest = 0;
-  Histogram nearestHistogram;  ///< [d_ref]
+  SpacingFigures nearest;
+  Histogram nearestHistogram;  ///< in spacings
   std::array<PlaceFigures, nPlaces> places;
   Histogram densityHistogram;  ///< of rho_SPH/rho - 1 inside
   std::size_t nOverlaps = 0;   ///< fluid particles nearer than d_ref/2 to another one
   std::size_t nIsolated = 0;   ///< fluid particles with nobody within 1.5 d_ref
+  ProfileErrors profile;       ///< of fluids that have one
   double bondOrder = 0;        ///< psi_6 (2-D), mean q_6 over twelve neighbours (3-D)
   std::vector<WallLayers> walls;
   PairingForecast pairing;
@@ -73,8 +88,9 @@ struct Report {
 
 /// Judges a scene with its own kernel and smoothing length. rho is the density that the file gives
 /// a particle, V its mass over that.
+/// `profiles[m]` is that of material m, or null.
 template <int Dim>
-Report reportOn(const Scene<Dim>& scene);
+Report reportOn(const Scene<Dim>& scene, const std::vector<DensityProfilePtr<Dim>>& profiles = {});
 
 /// As text for the terminal, and as JSON with the same figures.
 std::string printed(const Report& report);

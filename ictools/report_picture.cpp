@@ -21,8 +21,8 @@ void drawReport(const std::filesystem::path& path, const Report& report) {
   HistogramPanel distances =
       panelOf(report.nearestHistogram, "distance to the nearest particle", "d_ref", 1);
   distances.notes = {
-      fmt::format("least {:.3f}, mean {:.3f} among the fluid", report.nearest.minNearest,
-                  report.nearest.meanNearest),
+      fmt::format("least {:.3f}, mean {:.3f} of the fluid", report.nearest.least,
+                  report.nearest.mean),
       fmt::format("overlaps {}, isolated {}", report.nOverlaps, report.nIsolated),
       fmt::format("{} {:.3f}", report.dimension == 3 ? "q_6" : "psi_6", report.bondOrder)};
   HistogramPanel density = panelOf(report.densityHistogram, "density by summation, inside",

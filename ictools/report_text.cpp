@@ -39,11 +39,11 @@ std::string bars(const Histogram& histogram) {
 }
 
 std::string printedSpacing(const Report& report) {
-  const SpacingMeasures& nn = report.nearest;
+  const SpacingFigures& nn = report.nearest;
   std::string text = fmt::format(
       "  nearest neighbour, in d_ref: least {:.3f}, mean {:.3f}, largest {:.3f}; nearer than .5: "
       "{:.2f} % of the fluid\n",
-      nn.minNearest, nn.meanNearest, report.largestNearest, 100 * nn.below05);
+      nn.least, nn.mean, nn.largest, 100 * nn.below05);
   const Histogram& h = report.nearestHistogram;
   text += fmt::format("    {:g} |{}| {:g}\n", h.lower, bars(h),
                       h.lower + h.width * static_cast<double>(h.share.size()));
@@ -69,6 +69,11 @@ std::string printedPlaces(const Report& report) {
                         nameOf(Place(p)), f.n, percent(f.bias), percent(f.scatter),
                         percent(f.worst), f.kernelSum, f.kernelGradient, f.largestGradient);
   }
+  if (report.profile.n > 0)
+    text += fmt::format(
+        "  profile: L2 error {} against the profile smoothed with the kernel, {} "
+        "against the sharp one ({} particles inside)\n",
+        percent(report.profile.smoothed), percent(report.profile.sharp), report.profile.n);
   return text;
 }
 
@@ -143,9 +148,9 @@ std::string json(const Report& report) {
     if (fluid.expected > 0) entry["density_times_volume"] = fluid.expected;
     out["fluids"].push_back(entry);
   }
-  out["nearest"] = {{"least", report.nearest.minNearest},
-                    {"mean", report.nearest.meanNearest},
-                    {"largest", report.largestNearest},
+  out["nearest"] = {{"least", report.nearest.least},
+                    {"mean", report.nearest.mean},
+                    {"largest", report.nearest.largest},
                     {"below_0.1", report.nearest.below01},
                     {"below_0.5", report.nearest.below05},
                     {"below_0.85", report.nearest.below085},
@@ -156,6 +161,10 @@ std::string json(const Report& report) {
   for (std::size_t p = 0; p < nPlaces; ++p)
     if (report.places[p].n > 0) out["places"][nameOf(Place(p))] = jsonOf(report.places[p]);
   out["density_histogram_inside"] = jsonOf(report.densityHistogram);
+  if (report.profile.n > 0)
+    out["profile"] = {{"particles", report.profile.n},
+                      {"l2_error_smoothed", report.profile.smoothed},
+                      {"l2_error_sharp", report.profile.sharp}};
   for (const WallLayers& wall : report.walls)
     out["walls"].push_back(
         {{"name", wall.name}, {"thickness", wall.thickness}, {"support", wall.support}});
@@ -172,10 +181,14 @@ std::string json(const Report& report) {
 
 std::vector<std::pair<std::string, double>> figuresOf(const Report& report) {
   std::vector<std::pair<std::string, double>> figures{
-      {"nearest neighbour: least / d_ref", report.nearest.minNearest},
-      {"nearest neighbour: mean / d_ref", report.nearest.meanNearest},
+      {"nearest neighbour: least / d_ref", report.nearest.least},
+      {"nearest neighbour: mean / d_ref", report.nearest.mean},
       {"overlaps", static_cast<double>(report.nOverlaps)},
       {"isolated", static_cast<double>(report.nIsolated)}};
+  if (report.profile.n > 0) {
+    figures.emplace_back("profile: L2 error, smoothed", report.profile.smoothed);
+    figures.emplace_back("profile: L2 error, sharp", report.profile.sharp);
+  }
   for (std::size_t p = 0; p < nPlaces; ++p) {
     const PlaceFigures& f = report.places[p];
     if (f.n == 0) continue;

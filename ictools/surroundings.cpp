@@ -68,7 +68,7 @@ struct Shell {
 template <int Dim>
 Shell shellOf(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double lengthOverSpacing) {
   if (!fluid.settings.spacingFollowsDensity()) return {frame.support(), frame.spacing};
-  const auto volumes = targetVolumes<Dim>(fluid, fluid.points);
+  const auto volumes = targetVolumes<Dim>(fluid, fluid.points, frame.domain);
   const auto distances = signedDistances<Dim>(*fluid.region, fluid.points);
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (std::size_t k = 0; k < volumes.size(); ++k) {

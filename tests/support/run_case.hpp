@@ -24,7 +24,7 @@ std::pair<Scene<Dim>, CaseSettings> sceneOf(const std::string& caseFile, const C
   CaseNode root = CaseNode::load(path);
   for (const auto& [key, value] : changes) root.set(key, value);
   const CaseSettings settings = readCase(root);
-  return {generate<Dim>(root, settings, path, [](const std::string&) {}), settings};
+  return {generate<Dim>(root, settings, path, [](const std::string&) {}).scene, settings};
 }
 
 /// Runs a shipped case to its end time and returns the figures of the last state.

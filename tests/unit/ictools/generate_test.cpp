@@ -70,7 +70,7 @@ TEST(Generate, TheFileHoldsTheCaseAsItWasUsed) {
   std::ofstream(path) << "# a comment\n" << test::shaftCase();
   CaseNode root = CaseNode::load(path);
   const auto textOf = [&] {
-    return plenum::generate<2>(root, readCase(root), path, [](const auto&) {}).info.caseText;
+    return plenum::generate<2>(root, readCase(root), path, [](const auto&) {}).scene.info.caseText;
   };
   EXPECT_TRUE(textOf().starts_with("# a comment"));
   root.set("solver.smoothing_length", "1.2");

@@ -178,15 +178,12 @@ region = "ground"
 TEST(Relaxation, KeepsTheBestStateWhereTheToleranceIsOutOfReach) {
   const CaseNode root = CaseNode::parse(
       box3(h64, "lattice = \"random\"", "tolerance = 1e-6\nmax_iterations = 30"), "test.toml");
-  RelaxationResult result;
-  RelaxationWatch watch;
-  watch.end = [&](const RelaxationResult& r) { result = r; };
-  const auto scene = generate<3>(
-      root, readCase(root), "test.toml", [](const auto&) {}, watch);
+  const auto made = generate<3>(root, readCase(root), "test.toml", [](const auto&) {});
+  const RelaxationResult& result = *made.relaxation;
   EXPECT_FALSE(result.settled);
   EXPECT_EQ(result.history.size(), 31u);
   for (const RelaxationState& state : result.history) EXPECT_GE(state.scatter, result.best.scatter);
-  EXPECT_EQ(scatterOf(scene), result.best.scatter);
+  EXPECT_EQ(scatterOf(made.scene), result.best.scatter);
   EXPECT_NE(result.reason.find("30 iterations"), std::string::npos) << result.reason;
 }
 

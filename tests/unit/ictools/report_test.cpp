@@ -152,7 +152,7 @@ TEST(Report, CountsOverlapsAndIsolatedParticles) {
   const Report report = reportOn(scene);
   EXPECT_EQ(report.nOverlaps, 2u);
   EXPECT_EQ(report.nIsolated, 1u);
-  EXPECT_NEAR(report.nearest.minNearest, 0.1, 1e-9);
+  EXPECT_NEAR(report.nearest.least, 0.1, 1e-9);
 }
 
 TEST(Report, WritesJsonAndPicture) {

@@ -18,9 +18,11 @@ template <int Dim>
 Scene<Dim> sceneOf(const std::string& text, std::vector<std::string>* warnings = nullptr,
                    const std::string& fileName = "test.toml") {
   const CaseNode root = CaseNode::parse(text, fileName);
-  return generate<Dim>(root, readCase(root), fileName, [&](const std::string& message) {
-    if (warnings != nullptr) warnings->push_back(message);
-  });
+  return generate<Dim>(root, readCase(root), fileName,
+                       [&](const std::string& message) {
+                         if (warnings != nullptr) warnings->push_back(message);
+                       })
+      .scene;
 }
 
 /// The message of the InputError that a case ends with; "" if there is none.
