@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/cad_file.hpp"
 #include "geometry/gmsh_session.hpp"
+#include "geometry/mend_surface.hpp"
 #include "geometry/print.hpp"
 #include "geometry/text_reader.hpp"
 #include "particles/errors.hpp"

@@ -4,6 +4,7 @@
 #include "geometry/cad_file.hpp"
 #include "geometry/mesh_file.hpp"
 #include "geometry/polygon_file.hpp"
+#include "geometry/surface_check.hpp"
 #include "geometry/surface_mesh.hpp"
 #include "geometry/text_reader.hpp"
 #include "particles/errors.hpp"
@@ -53,10 +54,11 @@ GeometryPtr<2> placedPolygon(std::vector<PolygonLoops> polygons, const Placement
   return makePolygon(std::move(polygons), source, tolerance);
 }
 
-GeometryPtr<3> placedMesh(TriangleSoup soup, const Placement<3>& placement,
+GeometryPtr<3> placedMesh(TriangleSoup soup, const FileOptions<3>& options,
                           const std::string& source, double tolerance) {
-  for (Vec<3>& x : soup.points) x = placement.apply(x);
-  return makeSurfaceMesh(soup, source, tolerance);
+  checkFinite(soup, source);
+  for (Vec<3>& x : soup.points) x = options.placement.apply(x);
+  return makeSurfaceMesh(mended(soup, options.mend, source, options.report), source, tolerance);
 }
 
 /// What a file of straight edges and triangles may be off is the user's to say.
@@ -90,9 +92,9 @@ template <>
 GeometryPtr<3> readGeometryFile<3>(const std::filesystem::path& path,
                                    const FileOptions<3>& options) {
   if (kindOf(path, 3) == Kind::mesh)
-    return placedMesh(readMeshFile(path), options.placement, path.string(), stated(options));
+    return placedMesh(readMeshFile(path), options, path.string(), stated(options));
   const CadSurface cad = readCadSurface(path, inFile(options), options.defaultTolerance);
-  return placedMesh(cad.soup, options.placement, path.string(),
+  return placedMesh(cad.soup, options, path.string(),
                     isMsh(path) ? stated(options) : cad.tolerance * options.placement.scale);
 }
 

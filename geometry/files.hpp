@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/geometry.hpp"
+#include "geometry/mend_surface.hpp"
 #include "geometry/placement.hpp"
 
 #include <filesystem>
@@ -18,6 +19,8 @@ struct FileOptions {
   /// far they may be from what is meant.
   std::optional<double> tolerance;
   Placement<Dim> placement;
+  MendOptions mend;                            ///< of triangle meshes
+  FindingSink report = [](const Finding&) {};  ///< told what was mended
 
   static constexpr double defaultTolerance = 1e-4;
 };
@@ -25,7 +28,9 @@ struct FileOptions {
 /// Reads a region, by the file's ending:
 ///   2-D: .wkt, .txt, .xy, .dat (polygon, see polygon_file.hpp), .geo, .step, .stp, .brep, .msh
 ///   3-D: .stl, .obj, .off, .ply (closed triangle mesh), .geo, .step, .stp, .brep, .msh
-/// Throws InputError that names the file, what is wrong, where, and the remedy.
+/// Triangles are mended (mend_surface.hpp) before they are checked. Throws InputError that names
+/// the file, what is wrong, where, and the remedy; a file that is too large for the memory is
+/// refused before it is read.
 template <int Dim>
 GeometryPtr<Dim> readGeometryFile(const std::filesystem::path& path,
                                   const FileOptions<Dim>& options = {});

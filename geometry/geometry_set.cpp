@@ -18,28 +18,37 @@ namespace {
 template <int Dim>
 class Builder {
  public:
-  Builder(const CaseNode& table, const std::filesystem::path& caseFolder)
-      : table_(table), caseFolder_(caseFolder) {}
+  Builder(const CaseNode& table, const std::filesystem::path& caseFolder, Findings& findings)
+      : table_(table), caseFolder_(caseFolder), findings_(findings) {}
 
+  /// The region; throws FollowingError if it is broken, after what is wrong was added to the
+  /// findings once.
   GeometryPtr<Dim> region(const std::string& name, const CaseNode& entry) {
-    if (const auto done = done_.find(name); done != done_.end()) return done->second;
-    if (std::ranges::find(underWay_, name) != underWay_.end())
-      entry.fail(fmt::format("refers to itself: {} -> {}; break the circle",
-                             fmt::join(underWay_, " -> "), name));
-    underWay_.push_back(name);
-    const std::string key = keyOf(shapeNodeOf(entry, Dim));
-    const bool isOperation = key == "union" || key == "intersection" || key == "difference";
-    GeometryPtr<Dim> result =
-        isOperation ? operation(entry, key) : makeRegion<Dim>(entry, caseFolder_);
-    underWay_.pop_back();
-    return done_[name] = result;
+    if (!done_.contains(name)) {
+      if (std::ranges::find(underWay_, name) != underWay_.end())
+        entry.fail(fmt::format("refers to itself: {} -> {}; break the circle",
+                               fmt::join(underWay_, " -> "), name));
+      underWay_.push_back(name);
+      GeometryPtr<Dim> made;
+      findings_.attempt([&] { made = make(entry); });
+      underWay_.pop_back();
+      done_[name] = made;
+    }
+    if (!done_[name]) throw FollowingError(entry.where() + ": is broken; mend it");
+    return done_[name];
   }
 
  private:
+  GeometryPtr<Dim> make(const CaseNode& entry) {
+    const std::string key = keyOf(shapeNodeOf(entry, Dim));
+    const bool isOperation = key == "union" || key == "intersection" || key == "difference";
+    return isOperation ? operation(entry, key) : makeRegion<Dim>(entry, caseFolder_, report_);
+  }
+
   GeometryPtr<Dim> operation(const CaseNode& entry, const std::string& key) {
     const EntryKeys keys = entrySection().read(entry, Dim);
     const CaseNode& node = *entry.find(key);
-    if (keys.tolerance) entry.find("tolerance")->fail("concerns files only; remove it");
+    checkHasNoFileKeys(entry);
     if (node.asArray().size() < (key == "difference" ? 2 : 1))
       node.fail(key == "difference" ? "needs two regions or more: the first without the others"
                                     : "needs the names of regions");
@@ -50,7 +59,7 @@ class Builder {
       if (key == "intersection") return placedAs(keys, intersectionOf(parts));
       return placedAs(keys, differenceOf(parts));
     } catch (const InputError& error) {
-      node.fail(error.what());
+      node.fail(error);
     }
   }
 
@@ -74,6 +83,8 @@ class Builder {
  private:
   const CaseNode& table_;
   const std::filesystem::path& caseFolder_;
+  Findings& findings_;
+  FindingSink report_ = [this](const Finding& finding) { findings_.add(finding); };
   std::map<std::string, GeometryPtr<Dim>> done_;
   std::vector<std::string> underWay_;
 };
@@ -83,11 +94,22 @@ class Builder {
 template <int Dim>
 GeometrySet<Dim> GeometrySet<Dim>::read(const CaseNode& geometryTable,
                                         const std::filesystem::path& caseFolder) {
+  Findings findings;
+  GeometrySet set = readAll(geometryTable, caseFolder, findings);
+  findings.throwErrors();
+  return set;
+}
+
+template <int Dim>
+GeometrySet<Dim> GeometrySet<Dim>::readAll(const CaseNode& geometryTable,
+                                           const std::filesystem::path& caseFolder,
+                                           Findings& findings) {
   GeometrySet set;
-  Builder<Dim> builder(geometryTable, caseFolder);
+  Builder<Dim> builder(geometryTable, caseFolder, findings);
   for (const auto& [name, entry] : geometryTable.asTable()) {
     set.names_.push_back(name);
-    set.regions_.push_back(builder.region(name, entry));
+    set.regions_.emplace_back();
+    findings.attempt([&] { set.regions_.back() = builder.region(name, entry); });
   }
   return set;
 }
@@ -96,7 +118,9 @@ template <int Dim>
 const GeometryPtr<Dim>& GeometrySet<Dim>::find(const CaseNode& name) const {
   const auto found = std::ranges::find(names_, name.asString());
   if (found == names_.end()) Builder<Dim>::failUnknown(name, names_);
-  return regions_[static_cast<std::size_t>(found - names_.begin())];
+  const GeometryPtr<Dim>& region = regions_[static_cast<std::size_t>(found - names_.begin())];
+  if (!region) throw FollowingError(name.where() + ": that region is broken; mend it");
+  return region;
 }
 
 std::vector<SectionDoc> geometryDocs() {

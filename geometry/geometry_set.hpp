@@ -13,6 +13,7 @@
 
 #include "geometry/geometry.hpp"
 #include "particles/case_node.hpp"
+#include "particles/findings.hpp"
 #include "particles/section.hpp"
 
 #include <filesystem>
@@ -28,8 +29,20 @@ class GeometrySet {
   /// unknown keys and names, cycles, shapes of another dimension, empty regions and bad files.
   static GeometrySet read(const CaseNode& geometryTable, const std::filesystem::path& caseFolder);
 
-  /// The region that the string `name` of the case names; fails with the nearest known name.
+  /// As `read`, but goes on: every error and everything that was mended (as notes) is added to
+  /// `findings`, and regions that could not be made are broken.
+  static GeometrySet readAll(const CaseNode& geometryTable, const std::filesystem::path& caseFolder,
+                             Findings& findings);
+
+  /// The region that the string `name` of the case names; fails with the nearest known name, and
+  /// with FollowingError for a broken region.
   const GeometryPtr<Dim>& find(const CaseNode& name) const;
+
+  /// All names, in the order of the file.
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// Region by its number in `names`; null if it is broken.
+  const GeometryPtr<Dim>& operator[](std::size_t k) const { return regions_[k]; }
 
  private:
   std::vector<std::string> names_;

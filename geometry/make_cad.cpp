@@ -75,11 +75,21 @@ int makeAll(const fs::path& scripts, const fs::path& folder) {
   return exitOk;
 }
 
+int makeStep(const fs::path& script, const fs::path& target) {
+  GmshSession session;
+  session.open(script);
+  session.guarded(script.string(), [&] { gmsh::write(target.string()); });
+  return exitOk;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 4 && std::string(argv[1]) == "--step")
+    return plenum::runProgram("plenum-make-cad", [&] { return makeStep(argv[2], argv[3]); });
   if (argc != 3) {
-    std::cerr << "usage: plenum-make-cad SOURCE_FOLDER OUTPUT_FOLDER\n";
+    std::cerr << "usage: plenum-make-cad SOURCE_FOLDER OUTPUT_FOLDER\n"
+                 "       plenum-make-cad --step SCRIPT.geo OUTPUT.step\n";
     return plenum::exitInputAtFault;
   }
   return plenum::runProgram("plenum-make-cad", [&] { return makeAll(argv[1], argv[2]); });

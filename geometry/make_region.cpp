@@ -97,15 +97,21 @@ Placement<Dim> placementOf(const EntryKeys& keys) {
 
 template <int Dim>
 GeometryPtr<Dim> readFile(const CaseNode& node, const EntryKeys& keys,
-                          const std::filesystem::path& caseFolder) {
+                          const std::filesystem::path& caseFolder, const FindingSink& report) {
   if constexpr (Dim == 1) {
     node.fail("there are no files in 1-D; use box");
   } else {
+    const auto here = [&](Finding finding) {
+      finding.what = node.where() + ": " + finding.what;
+      report(finding);
+    };
+    const MendKeys mend = keys.mend.value_or(MendKeys{});
     try {
-      return readGeometryFile<Dim>(caseFolder / keys.file,
-                                   {keys.tolerance, placementOf<Dim>(keys)});
+      return readGeometryFile<Dim>(
+          caseFolder / keys.file,
+          {keys.tolerance, placementOf<Dim>(keys), {mend.holes, mend.largestHole}, here});
     } catch (const InputError& error) {
-      node.fail(error.what());
+      node.fail(error);
     }
   }
 }
@@ -118,11 +124,16 @@ GeometryPtr<Dim> placedAs(const EntryKeys& keys, GeometryPtr<Dim> region) {
 }
 
 template <int Dim>
-GeometryPtr<Dim> makeRegion(const CaseNode& entry, const std::filesystem::path& caseFolder) {
+GeometryPtr<Dim> makeRegion(const CaseNode& entry, const std::filesystem::path& caseFolder,
+                            const FindingSink& report) {
   const CaseNode& node = shapeNodeOf(entry, Dim);
   const EntryKeys keys = entrySection().read(entry, Dim);
-  if (!keys.file.empty() || keyOf(node) == "file") return readFile<Dim>(node, keys, caseFolder);
-  if (keys.tolerance) entry.find("tolerance")->fail("concerns files only; remove it");
+  if (!keys.file.empty() || keyOf(node) == "file") {
+    if (keys.mend && Dim != 3)
+      entry.find("mend")->fail("concerns triangle meshes in 3-D only; remove it");
+    return readFile<Dim>(node, keys, caseFolder, report);
+  }
+  checkHasNoFileKeys(entry);
   if (keys.box) return placedAs(keys, makeBox<Dim>(node, *keys.box));
   if (keys.halfSpace) return placedAs(keys, makeHalfSpace<Dim>(node, *keys.halfSpace));
   if constexpr (Dim == 2) return placedAs(keys, makeShape2(node, keys));
@@ -130,9 +141,12 @@ GeometryPtr<Dim> makeRegion(const CaseNode& entry, const std::filesystem::path& 
   node.fail("does not exist in 1-D; use box");
 }
 
-template GeometryPtr<1> makeRegion<1>(const CaseNode&, const std::filesystem::path&);
-template GeometryPtr<2> makeRegion<2>(const CaseNode&, const std::filesystem::path&);
-template GeometryPtr<3> makeRegion<3>(const CaseNode&, const std::filesystem::path&);
+template GeometryPtr<1> makeRegion<1>(const CaseNode&, const std::filesystem::path&,
+                                      const FindingSink&);
+template GeometryPtr<2> makeRegion<2>(const CaseNode&, const std::filesystem::path&,
+                                      const FindingSink&);
+template GeometryPtr<3> makeRegion<3>(const CaseNode&, const std::filesystem::path&,
+                                      const FindingSink&);
 template GeometryPtr<1> placedAs<1>(const EntryKeys&, GeometryPtr<1>);
 template GeometryPtr<2> placedAs<2>(const EntryKeys&, GeometryPtr<2>);
 template GeometryPtr<3> placedAs<3>(const EntryKeys&, GeometryPtr<3>);

@@ -3,6 +3,7 @@
 
 #include "geometry/text_reader.hpp"
 #include "particles/errors.hpp"
+#include "particles/memory.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,22 @@
 namespace plenum {
 
 namespace {
+
+// Measured with spheres of 4e5 triangles: checks, mesh and search tree took 660 bytes a triangle at
+// most, of which an ASCII STL file has 260.
+constexpr double memoryPerTriangle = 660;
+constexpr double memoryPerByte = 2.5;
+
+/// Throws InputError if the memory does not suffice for so many triangles.
+void checkCount(double nTriangles, const std::string& source) {
+  const double needed = memoryPerTriangle * nTriangles;
+  const double available = availableMemory().value_or(needed);
+  if (needed > available)
+    throw InputError(
+        fmt::format("{}: is too large: its {:.3g} triangles need about {} of memory, {} are "
+                    "available; export it with fewer triangles",
+                    source, nTriangles, printedBytes(needed), printedBytes(available)));
+}
 
 Vec<3> readPoint(TextReader& words, char comment = '\0') {
   const double x = words.number(comment);
@@ -80,6 +97,7 @@ TriangleSoup readStl(const std::string& bytes, const std::string& source) {
         fmt::format("{}: is truncated (or no STL file): {} triangles need {} bytes, it "
                     "has {}; export it again",
                     source, n, expected, bytes.size()));
+  checkCount(n, source);
   TriangleSoup soup;
   for (std::size_t t = 0; t < n; ++t) {
     float corners[9];
@@ -137,7 +155,7 @@ TriangleSoup readOff(const std::string& bytes, const std::string& source) {
 }
 
 TriangleSoup readMeshFile(const std::filesystem::path& path) {
-  const std::string bytes = readWholeFile(path);
+  const std::string bytes = readWholeFile(path, memoryPerByte);
   const std::string source = path.string();
   const std::string extension = extensionOf(path);
   if (extension == ".stl") return readStl(bytes, source);

@@ -75,6 +75,15 @@ const Section<PolygonKeys>& polygonSection() {
   return section;
 }
 
+const Section<MendKeys>& mendSection() {
+  static const auto section =
+      Section<MendKeys>("what may be mended in a triangle mesh besides what is safe")
+          .flag("holes", &MendKeys::holes, "small holes are closed")
+          .number("largest_hole", &MendKeys::largestHole, "", Range::above(0, 0.5),
+                  "diagonal of a hole's bounds over that of the part's up to which it is closed");
+  return section;
+}
+
 }  // namespace
 
 const Section<RotationKeys>& rotationSection() {
@@ -110,6 +119,7 @@ const Section<EntryKeys>& entrySection() {
           .number("tolerance", &EntryKeys::tolerance, "m", Range::positive(),
                   "how far the represented surface of a CAD file may be from its curved one; "
                   "default 1e-4 of the diagonal of its bounds")
+          .section("mend", &EntryKeys::mend, mendSection())
           .number("scale", &EntryKeys::scale, "", Range::positive(),
                   "factor on lengths; 0.001 for a mesh in millimetres (STEP files state their unit "
                   "and are read in metres)")
@@ -117,6 +127,11 @@ const Section<EntryKeys>& entrySection() {
                 "about the origin: in 2-D an angle, counter-clockwise; in 3-D { axis, angle }")
           .vector("translate", &EntryKeys::translate, "m", "shift");
   return section;
+}
+
+void checkHasNoFileKeys(const CaseNode& entry) {
+  for (const char* key : {"tolerance", "mend"})
+    if (const CaseNode* node = entry.find(key)) node->fail("concerns files only; remove it");
 }
 
 std::string keyOf(const CaseNode& node) { return node.path().substr(node.path().rfind('.') + 1); }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "geometry/geometry.hpp"
+#include "geometry/mend_surface.hpp"
 #include "particles/section.hpp"
 
 #include <filesystem>
@@ -50,6 +51,11 @@ struct RotationKeys {
   double angle = 0;
 };
 
+struct MendKeys {
+  bool holes = false;
+  double largestHole = MendOptions::defaultLargestHole;
+};
+
 struct EntryKeys {
   std::optional<BoxKeys> box;
   std::optional<BallKeys> disk;
@@ -63,6 +69,7 @@ struct EntryKeys {
   std::vector<std::string> differenceOf;
   std::string file;
   std::optional<double> tolerance;
+  std::optional<MendKeys> mend;
   double scale = 1;
   std::optional<CaseNode> rotate;
   std::vector<double> translate;
@@ -78,9 +85,14 @@ const CaseNode& shapeNodeOf(const CaseNode& entry, int dimension);
 /// The last word of a node's dotted path.
 std::string keyOf(const CaseNode& node);
 
-/// The region of an entry that refers to no other: a shape or a file, put into its place.
+/// Fails for keys that make no sense without a file.
+void checkHasNoFileKeys(const CaseNode& entry);
+
+/// The region of an entry that refers to no other: a shape or a file, put into its place. `report`
+/// is told what was mended.
 template <int Dim>
-GeometryPtr<Dim> makeRegion(const CaseNode& entry, const std::filesystem::path& caseFolder);
+GeometryPtr<Dim> makeRegion(const CaseNode& entry, const std::filesystem::path& caseFolder,
+                            const FindingSink& report);
 
 /// `region` put where the entry says; set operations and shapes alike.
 template <int Dim>

@@ -4,7 +4,7 @@
 #include "geometry/surface_mesh.hpp"
 
 #include "geometry/print.hpp"
-#include "particles/errors.hpp"
+#include "geometry/surface_check.hpp"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -40,10 +40,10 @@ Mesh toMesh(const TriangleSoup& soup, const std::string& source) {
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
     const auto& [a, b, c] = soup.triangles[t];
     if (mesh.add_face(vertices[a], vertices[b], vertices[c]) == Mesh::null_face())
-      throw InputError(
-          fmt::format("{}: the surface touches itself in a point near {}; part it "
-                      "there in the meshing tool",
-                      source, printed(soup.center(t))));
+      throw FaultyInput({{Severity::error,
+                          fmt::format("{}: the surface touches itself in a point near {}", source,
+                                      printed(soup.center(t))),
+                          "part it there in the meshing tool", placeOf(soup.center(t))}});
   }
   return mesh;
 }
@@ -52,11 +52,14 @@ void checkSelfIntersections(const Mesh& mesh, const TriangleSoup& soup, const st
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
   CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
   if (pairs.empty()) return;
-  throw InputError(fmt::format(
-      "{}: the surface crosses itself: {} pair{} of triangles, the first near {}; mend it in the "
-      "meshing tool or join its parts with a boolean union there",
-      source, pairs.size(), pairs.size() == 1 ? "" : "s",
-      printed(soup.center(std::size_t(pairs.front().first)))));
+  const Vec<3> first = soup.center(std::size_t(pairs.front().first));
+  throw FaultyInput(
+      {{Severity::error,
+        fmt::format("{}: the surface crosses itself: {} pair{} of triangles, the "
+                    "first near {}",
+                    source, pairs.size(), pairs.size() == 1 ? "" : "s", printed(first)),
+        "mend it in the meshing tool or join its parts with a boolean union there",
+        placeOf(first)}});
 }
 
 /// Normals that give the right side wherever on the surface the nearest point lies: of faces, of
@@ -194,11 +197,10 @@ class SurfaceMesh final : public Geometry<3> {
 
 GeometryPtr<3> makeSurfaceMesh(const TriangleSoup& soup, const std::string& source,
                                double tolerance) {
-  for (const Vec<3>& x : soup.points)
-    if (!std::isfinite(norm(x)))
-      throw InputError(source + ": a corner is not finite; coordinates must be numbers");
+  checkFinite(soup, source);
   TriangleSoup clean = welded(soup);
-  checkClosedSurface(clean, source);
+  std::vector<Finding> faults = surfaceFaults(clean, source);
+  if (!faults.empty()) throw FaultyInput(std::move(faults));
   Mesh mesh = toMesh(clean, source);
   checkSelfIntersections(mesh, clean, source);
   return std::make_shared<const SurfaceMesh>(std::move(clean), std::move(mesh), source, tolerance);

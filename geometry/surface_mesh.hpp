@@ -10,7 +10,7 @@ namespace plenum {
 
 /// The region inside a closed triangle mesh. `source` begins every message; `tolerance` [m] is what
 /// the triangles may be off from a curved surface.
-/// Throws InputError as `checkClosedSurface` does, and where the surface crosses itself.
+/// Throws FaultyInput with all that `surfaceFaults` finds, or where the surface crosses itself.
 GeometryPtr<3> makeSurfaceMesh(const TriangleSoup& soup, const std::string& source,
                                double tolerance = 0);
 

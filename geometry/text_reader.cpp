@@ -2,6 +2,7 @@
 #include "geometry/text_reader.hpp"
 
 #include "particles/errors.hpp"
+#include "particles/memory.hpp"
 
 #include <fmt/format.h>
 
@@ -20,20 +21,28 @@ std::string extensionOf(const std::filesystem::path& path) {
   return extension;
 }
 
-std::ifstream openFile(const std::filesystem::path& path) {
+std::ifstream openFile(const std::filesystem::path& path, double memoryPerByte) {
   namespace fs = std::filesystem;
   const std::string name = path.string();
   if (!fs::exists(path))
     throw InputError(name + ": no such file; paths are relative to the case file");
   if (!fs::is_regular_file(path)) throw InputError(name + ": is not a file; give a geometry file");
   if (fs::file_size(path) == 0) throw InputError(name + ": is empty; export the geometry again");
+  const double needed = memoryPerByte * static_cast<double>(fs::file_size(path));
+  const double available = availableMemory().value_or(needed);
+  if (needed > available)
+    throw InputError(
+        fmt::format("{}: is too large: its {} need about {} of memory, {} are available; export it "
+                    "with fewer triangles",
+                    name, printedBytes(static_cast<double>(fs::file_size(path))),
+                    printedBytes(needed), printedBytes(available)));
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(name + ": cannot be read; check its permissions");
   return in;
 }
 
-std::string readWholeFile(const std::filesystem::path& path) {
-  std::ifstream in = openFile(path);
+std::string readWholeFile(const std::filesystem::path& path, double memoryPerByte) {
+  std::ifstream in = openFile(path, memoryPerByte);
   std::ostringstream bytes;
   bytes << in.rdbuf();
   if (!in || !bytes) throw InputError(path.string() + ": cannot be read; check its permissions");

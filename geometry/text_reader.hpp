@@ -12,11 +12,12 @@ namespace plenum {
 /// The ending of a file's name in lower case, with its dot: ".step".
 std::string extensionOf(const std::filesystem::path& path);
 
-/// The file, open for reading. Throws InputError if it is missing, a folder, empty or not readable.
-std::ifstream openFile(const std::filesystem::path& path);
+/// The file, open for reading. Throws InputError if it is missing, a folder, empty or not readable,
+/// or if the memory does not suffice for what is made of it: `memoryPerByte` times its size.
+std::ifstream openFile(const std::filesystem::path& path, double memoryPerByte = 1);
 
 /// All bytes of a file. Throws InputError as `openFile` does.
-std::string readWholeFile(const std::filesystem::path& path);
+std::string readWholeFile(const std::filesystem::path& path, double memoryPerByte = 1);
 
 /// Words of a text, with their line for messages.
 class TextReader {

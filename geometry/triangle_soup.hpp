@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "particles/box.hpp"
 #include "particles/vec.hpp"
 
 #include <array>
@@ -27,23 +28,25 @@ constexpr Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
+Box<3> boundsOf(const TriangleSoup& soup);
+
+/// True if the triangle's height is below 1e-12 of its longest side.
+bool hasNoArea(const TriangleSoup& soup, std::size_t triangle);
+
+/// Six times the signed volume of the tetrahedron of a triangle and `origin` [m^3].
+double sixfoldVolume(const TriangleSoup& soup, std::size_t triangle, const Vec<3>& origin);
+
 /// Volume by the divergence theorem [m^3], negative if the surface is inside out.
 double signedVolume(const TriangleSoup& soup);
 
 /// For each point the first of those within `near` [m] of it, which may be itself.
 std::vector<std::size_t> mergedPoints(const std::vector<Vec<3>>& points, double near);
 
-/// Corners nearer than 1e-9 of the size become one (STL repeats them for each triangle); triangles
+/// Corners that are not further apart are one: 1e-9 of the size [m].
+double weldingDistance(const TriangleSoup& soup);
+
+/// Corners nearer than `weldingDistance` become one (STL repeats them for each triangle); triangles
 /// that collapse by it and corners of no triangle are dropped.
 TriangleSoup welded(const TriangleSoup& soup);
-
-/// The welded soup with its triangles turned coherently and outwards (inwards in cavities), as far
-/// as it is closed: for meshes from CAD, where the order of corners says nothing.
-TriangleSoup turnedOutwards(TriangleSoup soup);
-
-/// Throws InputError that says where unless the welded `soup` is a closed surface of one side: no
-/// triangle without area, every edge between exactly two triangles that run opposite ways along it,
-/// outside where the corners run counter-clockwise, inner shells (cavities) the other way round.
-void checkClosedSurface(const TriangleSoup& soup, const std::string& source);
 
 }  // namespace plenum

@@ -38,6 +38,26 @@ void sampleRow(const std::vector<GeometryPtr<Dim>>& regions, const Box<Dim>& dom
 }  // namespace
 
 template <int Dim>
+std::vector<GeometryPtr<Dim>> containerRegions(const CaseNode& root, const CaseSettings& settings,
+                                               const Regions<Dim>& regions,
+                                               const std::vector<FluidFill<Dim>>& fluids,
+                                               const SceneFrame<Dim>& frame) {
+  if (!settings.container.empty()) {
+    const CaseNode& node = at(root, "container");
+    const GeometryPtr<Dim> region = regions.find(node);
+    if (!frame.clipped(region->bounds()).isFinite())
+      node.fail("is infinite; intersect it with a box");
+    return {region};
+  }
+  std::vector<GeometryPtr<Dim>> starts;
+  for (const auto& fluid : fluids) {
+    if (!fluid.region) return {};
+    starts.push_back(fluid.region);
+  }
+  return starts;
+}
+
+template <int Dim>
 ContainerMap<Dim> containerMap(const std::vector<GeometryPtr<Dim>>& regions,
                                const SceneFrame<Dim>& frame) {
   ContainerMap<Dim> map;
@@ -74,5 +94,18 @@ ContainerMap<Dim> containerMap(const std::vector<GeometryPtr<Dim>>& regions,
 template ContainerMap<1> containerMap(const std::vector<GeometryPtr<1>>&, const SceneFrame<1>&);
 template ContainerMap<2> containerMap(const std::vector<GeometryPtr<2>>&, const SceneFrame<2>&);
 template ContainerMap<3> containerMap(const std::vector<GeometryPtr<3>>&, const SceneFrame<3>&);
+
+template std::vector<GeometryPtr<1>> containerRegions(const CaseNode&, const CaseSettings&,
+                                                      const Regions<1>&,
+                                                      const std::vector<FluidFill<1>>&,
+                                                      const SceneFrame<1>&);
+template std::vector<GeometryPtr<2>> containerRegions(const CaseNode&, const CaseSettings&,
+                                                      const Regions<2>&,
+                                                      const std::vector<FluidFill<2>>&,
+                                                      const SceneFrame<2>&);
+template std::vector<GeometryPtr<3>> containerRegions(const CaseNode&, const CaseSettings&,
+                                                      const Regions<3>&,
+                                                      const std::vector<FluidFill<3>>&,
+                                                      const SceneFrame<3>&);
 
 }  // namespace plenum

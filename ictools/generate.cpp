@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/generate.hpp"
 
-#include "geometry/geometry_set.hpp"
 #include "ictools/assemble.hpp"
 #include "ictools/container.hpp"
+#include "ictools/estimate.hpp"
+#include "ictools/prepare_fluid.hpp"
+#include "ictools/regions.hpp"
 #include "ictools/thin_parts.hpp"
 #include "ictools/wall_thickness.hpp"
 #include "particles/errors.hpp"
@@ -18,41 +20,25 @@ namespace plenum {
 
 namespace {
 
-/// The regions of a case, and errors for names when it has none.
+/// Reads all regions; says what was mended and throws what is wrong.
 template <int Dim>
-class Regions {
- public:
-  Regions(const CaseSettings& settings, const std::filesystem::path& folder) {
-    if (settings.geometry) set_ = GeometrySet<Dim>::read(*settings.geometry, folder);
-  }
-
-  GeometryPtr<Dim> find(const CaseNode& name) const {
-    if (!set_) name.fail("the case has no [geometry] table in which to look for that name");
-    return set_->find(name);
-  }
-
- private:
-  std::optional<GeometrySet<Dim>> set_;
-};
+Regions<Dim> readRegions(const CaseSettings& settings, const std::filesystem::path& folder,
+                         const Warn& warn) {
+  Findings findings;
+  Regions<Dim> regions(settings, folder, findings);
+  for (const Finding& finding : findings.all())
+    if (finding.severity != Severity::error) warn(finding.text());
+  findings.throwErrors();
+  return regions;
+}
 
 template <int Dim>
 std::vector<FluidFill<Dim>> prepareFluids(const CaseSettings& settings, const Regions<Dim>& regions,
                                           const std::filesystem::path& folder,
                                           const SceneFrame<Dim>& frame, const Warn& warn) {
   std::vector<FluidFill<Dim>> fluids;
-  for (const FluidSettings& fluid : readFluids(settings)) {
-    const GeometryPtr<Dim> region =
-        fluid.region.empty() ? nullptr : regions.find(at(fluid.node, "region"));
-    DensityProfilePtr<Dim> profile;
-    if (fluid.profile)
-      profile = makeProfile<Dim>(*fluid.profile, at(fluid.node, "profile"), folder);
-    if (fluid.spacingFollowsDensity() && !settings.relax)
-      warn(
-          fmt::format("fluid \"{}\": particles of equal mass stand at random until a [relax] table "
-                      "arranges them",
-                      fluid.name));
-    fluids.push_back(prepareFluid(fluid, region, profile, frame, warn));
-  }
+  for (const FluidSettings& fluid : readFluids(settings))
+    fluids.push_back(prepareFluid(fluid, settings, regions, folder, frame, warn));
   return fluids;
 }
 
@@ -66,28 +52,6 @@ std::vector<WallFill<Dim>> prepareWalls(const CaseSettings& settings, const Regi
     walls.push_back(prepareWall(wall, geometry, fluids, frame, warn));
   }
   return walls;
-}
-
-/// Where fluid may be: the region that `container` names, or where fluids start; none for a fluid
-/// that fills the whole domain.
-template <int Dim>
-std::vector<GeometryPtr<Dim>> containerRegions(const CaseNode& root, const CaseSettings& settings,
-                                               const Regions<Dim>& regions,
-                                               const std::vector<FluidFill<Dim>>& fluids,
-                                               const SceneFrame<Dim>& frame) {
-  if (!settings.container.empty()) {
-    const CaseNode& node = at(root, "container");
-    const GeometryPtr<Dim> region = regions.find(node);
-    if (!frame.clipped(region->bounds()).isFinite())
-      node.fail("is infinite; intersect it with a box");
-    return {region};
-  }
-  std::vector<GeometryPtr<Dim>> starts;
-  for (const auto& fluid : fluids) {
-    if (!fluid.region) return {};
-    starts.push_back(fluid.region);
-  }
-  return starts;
 }
 
 /// The case as the solver must read it: the file's own text, or, if something was set on the
@@ -146,11 +110,12 @@ Generated<Dim> generate(const CaseNode& root, const CaseSettings& settings,
                         const std::filesystem::path& casePath, const Warn& warn,
                         const RelaxationWatch& watch) {
   const SceneFrame<Dim> frame = sceneFrame<Dim>(root, settings);
-  const Regions<Dim> regions(settings, casePath.parent_path());
+  const Regions<Dim> regions = readRegions<Dim>(settings, casePath.parent_path(), warn);
   auto fluids = prepareFluids(settings, regions, casePath.parent_path(), frame, warn);
   auto walls = prepareWalls(settings, regions, fluids, frame, warn);
   const auto container = containerRegions(root, settings, regions, fluids, frame);
 
+  checkMemory(fluids, frame);
   fillFluids(fluids, frame);
   checkFluidOutsideWalls(fluids, walls, frame);
   checkThinParts(fluids, frame, warn);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // plenum-ic: from a case file to a particle file.
+#include "ictools/check.hpp"
 #include "ictools/generate.hpp"
 #include "ictools/ic_settings.hpp"
 #include "ictools/report.hpp"
@@ -38,6 +39,7 @@ struct Options {
 
 constexpr const char* examples = R"(
 Examples:
+  plenum-ic check cases/rotating_shaft.toml --json findings.json
   plenum-ic generate cases/rotating_shaft.toml
   plenum-ic generate cases/gas_box.toml -o box.hdf --set spacing=0.025 --set fluid[0].seed=2
   plenum-ic preview rotating_shaft.hdf -o shaft.png --color pressure
@@ -149,6 +151,13 @@ int runGenerate(const Options& options) {
   return relaxing.exitCode();
 }
 
+int runCheck(const Options& options) {
+  const CheckReport report = checkCase(options.input, options.set);
+  if (!options.json.empty()) writeTextFile(options.json, toJson(report));
+  if (!options.quiet || !report.findings.all().empty()) std::cout << describe(report);
+  return report.findings.hasErrors() ? exitInputAtFault : exitOk;
+}
+
 int runPreview(const Options& options) {
   const fs::path path = outputPath(options, ".png");
   const auto draw = [&](const auto& scene) {
@@ -209,6 +218,10 @@ int main(int argc, char** argv) {
     command->add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
   };
 
+  CLI::App* check = app.add_subcommand("check", "say all that is wrong with a case, and its cost");
+  check->add_option("CASE", options.input, "case file (TOML)")->required();
+  check->add_option("--json", options.json, "file for the findings, for programs");
+  addSet(check);
   CLI::App* generate = app.add_subcommand("generate", "make a particle file from a case");
   generate->add_option("CASE", options.input, "case file (TOML)")->required();
   generate->add_option("-o,--output", options.output, "particle file; absent: CASE's name + .hdf");
@@ -233,6 +246,7 @@ int main(int argc, char** argv) {
 
   return runProgram("plenum-ic", [&] {
     if (const auto code = parseCommandLine(app, argc, argv)) return *code;
+    if (check->parsed()) return runCheck(options);
     if (generate->parsed()) return runGenerate(options);
     if (preview->parsed()) return runPreview(options);
     if (info->parsed()) return runInfo(options);

@@ -2,6 +2,7 @@
 #include "ictools/walls.hpp"
 
 #include "ictools/point_grid.hpp"
+#include "particles/findings.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,20 +24,6 @@ void extendFinite(Box<Dim>& box, const Box<Dim>& bounds) {
       box.lower[a] = std::min(box.lower[a], face);
       box.upper[a] = std::max(box.upper[a], face);
     }
-}
-
-template <int Dim>
-Box<Dim> wallBox(const std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Dim>>& fluids,
-                 const Box<Dim>& container, const SceneFrame<Dim>& frame) {
-  Box<Dim> box = Box<Dim>::nothing();
-  extendFinite(box, container);
-  for (const auto& fluid : fluids) extendFinite(box, fluid.box);
-  double thickest = 0;
-  for (const auto& wall : walls) {
-    extendFinite(box, wall.solid.geometry->bounds());
-    thickest = std::max(thickest, wall.thickness);
-  }
-  return frame.clipped(box.grown(thickest + surfaceRoundOff * frame.spacing));
 }
 
 /// Removes places that an earlier wall has, or that are too near to one of its particles.
@@ -85,6 +72,20 @@ const FluidFill<Dim>& fluidNamed(const std::vector<FluidFill<Dim>>& fluids,
 }  // namespace
 
 template <int Dim>
+Box<Dim> wallBox(const std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Dim>>& fluids,
+                 const Box<Dim>& container, const SceneFrame<Dim>& frame) {
+  Box<Dim> box = Box<Dim>::nothing();
+  extendFinite(box, container);
+  for (const auto& fluid : fluids) extendFinite(box, fluid.box);
+  double thickest = 0;
+  for (const auto& wall : walls) {
+    extendFinite(box, wall.solid.geometry->bounds());
+    thickest = std::max(thickest, wall.thickness);
+  }
+  return frame.clipped(box.grown(thickest + surfaceRoundOff * frame.spacing));
+}
+
+template <int Dim>
 int layersNeeded(const SceneFrame<Dim>& frame) {
   return static_cast<int>(std::ceil(2 * frame.solver.smoothingLength - 1e-9));
 }
@@ -114,6 +115,7 @@ WallFill<Dim> prepareWall(const WallSettings& settings, GeometryPtr<Dim> geometr
 template <int Dim>
 void checkFluidOutsideWalls(const std::vector<FluidFill<Dim>>& fluids,
                             const std::vector<WallFill<Dim>>& walls, const SceneFrame<Dim>& frame) {
+  Findings findings;
   for (const auto& wall : walls)
     for (const auto& fluid : fluids) {
       const double tolerance =
@@ -127,19 +129,21 @@ void checkFluidOutsideWalls(const std::vector<FluidFill<Dim>>& fluids,
           deepest = k;
       }
       if (nInside == 0) continue;
-      at(wall.settings.node, wall.settings.regionKey())
-          .fail(fmt::format(
-              "{} of {} particles of fluid \"{}\" stand in the solid of wall \"{}\", the deepest "
-              "at "
-              "({:g}), {:g} m behind its surface; take the solid out of the fluid's region, e.g. "
-              "{{ {} = [\"{}\", \"{}\"] }}",
-              nInside, fluid.points.size(), fluid.settings.name, wall.settings.name,
-              fmt::join(fluid.points[deepest].components, ", "),
-              wall.solid.depth(distances[deepest]),
-              wall.solid.isOutside ? "intersection" : "difference",
-              fluid.settings.region.empty() ? "everything" : fluid.settings.region,
-              wall.solid.isOutside ? wall.settings.outside : wall.settings.region));
+      const Vec<Dim>& place = fluid.points[deepest];
+      findings.add(
+          {Severity::error,
+           fmt::format("{}: {} of {} particles of fluid \"{}\" stand in the solid of wall \"{}\", "
+                       "the deepest at ({:g}), {:g} m behind its surface",
+                       at(wall.settings.node, wall.settings.regionKey()).where(), nInside,
+                       fluid.points.size(), fluid.settings.name, wall.settings.name,
+                       fmt::join(place.components, ", "), wall.solid.depth(distances[deepest])),
+           fmt::format("take the solid out of the fluid's region, e.g. {{ {} = [\"{}\", \"{}\"] }}",
+                       wall.solid.isOutside ? "intersection" : "difference",
+                       fluid.settings.region.empty() ? "everything" : fluid.settings.region,
+                       wall.solid.isOutside ? wall.settings.outside : wall.settings.region),
+           {place.components.begin(), place.components.end()}});
     }
+  findings.throwErrors();
 }
 
 template <int Dim>
@@ -193,6 +197,8 @@ Vec<Dim> velocityOf(const RigidMotion& motion, const Vec<Dim>& x) {
 }
 
 template int layersNeeded(const SceneFrame<1>&);
+template Box<1> wallBox(const std::vector<WallFill<1>>&, const std::vector<FluidFill<1>>&,
+                        const Box<1>&, const SceneFrame<1>&);
 template WallFill<1> prepareWall(const WallSettings&, GeometryPtr<1>,
                                  const std::vector<FluidFill<1>>&, const SceneFrame<1>&,
                                  const Warn&);
@@ -203,6 +209,8 @@ template void fillWalls(std::vector<WallFill<1>>&, const std::vector<FluidFill<1
 template RigidMotion rigidMotion<1>(const WallSettings&);
 template Vec<1> velocityOf(const RigidMotion&, const Vec<1>&);
 template int layersNeeded(const SceneFrame<2>&);
+template Box<2> wallBox(const std::vector<WallFill<2>>&, const std::vector<FluidFill<2>>&,
+                        const Box<2>&, const SceneFrame<2>&);
 template WallFill<2> prepareWall(const WallSettings&, GeometryPtr<2>,
                                  const std::vector<FluidFill<2>>&, const SceneFrame<2>&,
                                  const Warn&);
@@ -213,6 +221,8 @@ template void fillWalls(std::vector<WallFill<2>>&, const std::vector<FluidFill<2
 template RigidMotion rigidMotion<2>(const WallSettings&);
 template Vec<2> velocityOf(const RigidMotion&, const Vec<2>&);
 template int layersNeeded(const SceneFrame<3>&);
+template Box<3> wallBox(const std::vector<WallFill<3>>&, const std::vector<FluidFill<3>>&,
+                        const Box<3>&, const SceneFrame<3>&);
 template WallFill<3> prepareWall(const WallSettings&, GeometryPtr<3>,
                                  const std::vector<FluidFill<3>>&, const SceneFrame<3>&,
                                  const Warn&);

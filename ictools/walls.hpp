@@ -32,11 +32,17 @@ WallFill<Dim> prepareWall(const WallSettings& settings, GeometryPtr<Dim> geometr
                           const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
                           const Warn& warn);
 
-/// Throws InputError, with count, place and remedy, if fluid particles stand in the solid of a
-/// wall.
+/// Throws FaultyInput, with count, place and remedy for each pair, if particles of a fluid stand in
+/// the solid of a wall.
 template <int Dim>
 void checkFluidOutsideWalls(const std::vector<FluidFill<Dim>>& fluids,
                             const std::vector<WallFill<Dim>>& walls, const SceneFrame<Dim>& frame);
+
+/// Where wall particles may be: the bounds of fluids, enclosed regions, finite solids and
+/// `container`, grown by the thickest wall.
+template <int Dim>
+Box<Dim> wallBox(const std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Dim>>& fluids,
+                 const Box<Dim>& container, const SceneFrame<Dim>& frame);
 
 /// Puts particles into all walls. Where the layers of two walls overlap (corners), the first wall
 /// has the place; a particle of a later wall nearer than 0.6 d_ref to one of an earlier wall is

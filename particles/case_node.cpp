@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/case_node.hpp"
 
-#include "particles/errors.hpp"
+#include "particles/findings.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -89,12 +89,22 @@ CaseNode CaseNode::load(const std::filesystem::path& path) {
   return parse(text.str(), path.string());
 }
 
-void CaseNode::fail(const std::string& message) const {
+std::string CaseNode::where() const {
   const std::string where = line_ > 0 ? fmt::format("{}:{}", *fileName_, line_) : *fileName_;
-  const std::string what =
-      isTable() || isArray() || path_.empty() ? path_ : fmt::format("{} = {}", path_, printed());
-  throw InputError(what.empty() ? fmt::format("{}: {}", where, message)
-                                : fmt::format("{}: {}: {}", where, what, message));
+  if (path_.empty()) return where;
+  return isTable() || isArray() ? fmt::format("{}: {}", where, path_)
+                                : fmt::format("{}: {} = {}", where, path_, printed());
+}
+
+void CaseNode::fail(const std::string& message) const {
+  throw InputError(where() + ": " + message);
+}
+
+void CaseNode::fail(const InputError& error) const {
+  if (dynamic_cast<const FollowingError*>(&error) != nullptr) throw FollowingError(error.what());
+  std::vector<Finding> findings = findingsOf(error);
+  for (Finding& finding : findings) finding.what = where() + ": " + finding.what;
+  throw FaultyInput(std::move(findings));
 }
 
 namespace {

@@ -11,6 +11,8 @@
 
 namespace plenum {
 
+class InputError;
+
 /// One value of a case file (TOML) together with where it stands, so that every error can name
 /// file, line and key. Keys keep the order of the file.
 class CaseNode {
@@ -56,8 +58,14 @@ class CaseNode {
   /// The value as it would stand in the file, for messages.
   std::string printed() const;
 
+  /// "file:line: key = value"; lists and tables by their key alone.
+  std::string where() const;
+
   /// Throws InputError "file:line: key = value: message".
   [[noreturn]] void fail(const std::string& message) const;
+
+  /// Throws the findings of `error`, each with where this stands.
+  [[noreturn]] void fail(const InputError& error) const;
 
   /// Reads TOML; the only function that knows the parser.
   struct Builder;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ictools/estimate.hpp"
+
+#include "ictools/random.hpp"
+#include "particles/memory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace plenum {
+
+namespace {
+
+// Largest resident sets less the programs' own, over the particles: plenum-ic made a tank of 1.7e6
+// particles in 188 bytes each and of 4.7e6 in 163; plenum-sph ran one of 2.5e5 in 262.
+constexpr double programItself = 25e6;  // bytes
+constexpr double generateBytesAParticle = 190;
+constexpr double runBytesAParticle = 280;
+constexpr double secondsAnInteraction = 4e-9;  // docs/benchmarks.md: 3.8 to 4.2 ns
+
+}  // namespace
+
+template <int Dim>
+double expectedFluid(const std::vector<FluidFill<Dim>>& fluids) {
+  double n = 0;
+  for (const auto& fluid : fluids)
+    n += std::min(fluid.volume.value, fluid.box.volume()) / fluid.lattice.cellVolume();
+  return n;
+}
+
+template <int Dim>
+double expectedWalls(const std::vector<WallFill<Dim>>& walls, const Box<Dim>& box) {
+  constexpr int nTrials = 20000;  // a band of 5 % of the box is met a thousand times: to 3 %
+  Random random(1);
+  std::vector<Vec<Dim>> trials;
+  for (int k = 0; k < nTrials; ++k) trials.push_back(random.pointIn(box));
+  double n = 0;
+  for (const auto& wall : walls) {
+    const auto distances = signedDistances<Dim>(*wall.solid.geometry, trials);
+    const auto nHits = std::ranges::count_if(distances, [&](double distance) {
+      const double depth = wall.solid.depth(distance);
+      return depth >= 0 && depth <= wall.thickness;
+    });
+    n += static_cast<double>(nHits) / nTrials * box.volume() / wall.lattice.cellVolume();
+  }
+  return n;
+}
+
+template <int Dim>
+Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const Lattice<Dim>& lattice,
+                    const SceneFrame<Dim>& frame) {
+  constexpr double unitBall[] = {2, std::numbers::pi, 4 * std::numbers::pi / 3};
+  Estimate estimate{nFluid, nWalls, isCounted};
+  estimate.neighbours =
+      unitBall[Dim - 1] * std::pow(frame.support(), Dim) / lattice.cellVolume() - 1;
+  const double n = nFluid + nWalls;
+  estimate.generateMemory = programItself + generateBytesAParticle * n;
+  estimate.runMemory = programItself + runBytesAParticle * n;
+  const double nInteracting = frame.solver.wallsEvolve() ? n : nFluid;
+  estimate.stepTime = secondsAnInteraction * nInteracting * estimate.neighbours;
+  return estimate;
+}
+
+template <int Dim>
+void checkMemory(const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame) {
+  const double expected = expectedFluid(fluids);
+  const double needed = programItself + generateBytesAParticle * expected;
+  const double available = availableMemory().value_or(needed);
+  if (needed <= available) return;
+  const auto largest = std::ranges::max_element(fluids, {}, [](const auto& fluid) {
+    return fluid.volume.value / fluid.lattice.cellVolume();
+  });
+  at(largest->settings.node, "region")
+      .fail(fmt::format("the fluids would hold {:.3g} particles and need {} of memory, {} are "
+                        "available; a spacing of at least {:.3g} m is needed (are the lengths in "
+                        "metres?)",
+                        expected, printedBytes(needed), printedBytes(available),
+                        frame.spacing * std::pow(needed / available, 1.0 / Dim)));
+}
+
+std::string describe(const Estimate& estimate) {
+  const char* about = estimate.isCounted ? "" : "about ";
+  const auto number = [&](double n) {
+    return estimate.isCounted ? fmt::format("{:.0f}", n) : fmt::format("{:.3g}", n);
+  };
+  std::string text = fmt::format(
+      "  particles  {}{} fluid, {}{} wall; {:.0f} neighbours in the "
+      "kernel's support\n",
+      about, number(estimate.nFluid), about, number(estimate.nWalls), estimate.neighbours);
+  text += fmt::format("  memory     about {} to generate, {} to run\n",
+                      printedBytes(estimate.generateMemory), printedBytes(estimate.runMemory));
+  text += fmt::format(
+      "  a step     about {:.2g} s with one thread (4 ns an interaction, "
+      "docs/benchmarks.md)\n",
+      estimate.stepTime);
+  return text;
+}
+
+template double expectedFluid(const std::vector<FluidFill<1>>&);
+template double expectedWalls(const std::vector<WallFill<1>>&, const Box<1>&);
+template Estimate estimateOf(double, double, bool, const Lattice<1>&, const SceneFrame<1>&);
+template void checkMemory(const std::vector<FluidFill<1>>&, const SceneFrame<1>&);
+template double expectedFluid(const std::vector<FluidFill<2>>&);
+template double expectedWalls(const std::vector<WallFill<2>>&, const Box<2>&);
+template Estimate estimateOf(double, double, bool, const Lattice<2>&, const SceneFrame<2>&);
+template void checkMemory(const std::vector<FluidFill<2>>&, const SceneFrame<2>&);
+template double expectedFluid(const std::vector<FluidFill<3>>&);
+template double expectedWalls(const std::vector<WallFill<3>>&, const Box<3>&);
+template Estimate estimateOf(double, double, bool, const Lattice<3>&, const SceneFrame<3>&);
+template void checkMemory(const std::vector<FluidFill<3>>&, const SceneFrame<3>&);
+
+}  // namespace plenum
