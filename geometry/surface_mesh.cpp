@@ -4,6 +4,7 @@
 #include "geometry/surface_mesh.hpp"
 
 #include "geometry/print.hpp"
+#include "geometry/triangle_rows.hpp"
 #include "particles/errors.hpp"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -122,6 +123,11 @@ class SurfaceMesh final : public Geometry<3> {
       const auto hit = tree_.closest_point_and_primitive(toPoint(points[k]));
       result[k] = onTriangle(std::size_t(hit.second), toVec(hit.first), points[k]);
     }
+  }
+
+  std::unique_ptr<const RowClassifier<3>> rowClassifier(const Vec<3>& step,
+                                                        double near) const override {
+    return classifierOfTriangles(soup_, step, near);
   }
 
   Box<3> bounds() const override { return bounds_; }

@@ -30,9 +30,11 @@ template <int Dim>
 std::vector<Vec<Dim>> latticePoints(const Lattice<Dim>& lattice, const Box<Dim>& box);
 
 /// Points of `lattice` in `box` whose signed distance to `geometry` lies in `band`, row by row; the
-/// same for any number of threads. Rows are marched: a point whose distance is well inside (or
-/// outside) the band decides for its neighbours too, so the number of queries grows with the
-/// surface and not with the volume.
+/// same for any number of threads. For what lies inside (`band.lower` infinite, `band.upper` about
+/// zero) the geometry tells whole runs of a row at once (Geometry::rowClassifier), and only points
+/// at the surface are asked for their distance. In other bands rows are marched: a point whose
+/// distance is well inside (or outside) the band decides for its neighbours too, so the number of
+/// queries grows with the surface and not with the volume.
 template <int Dim>
 std::vector<Vec<Dim>> latticePoints(const Lattice<Dim>& lattice, const Box<Dim>& box,
                                     const Geometry<Dim>& geometry, DistanceBand band);
