@@ -1,23 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/meshes.hpp"
+//
+// Closed triangle meshes of any fineness, for tests and benchmarks.
+#pragma once
+
+#include "geometry/triangle_soup.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
-namespace plenum {
+namespace plenum::test {
 
-namespace {
+/// How far the surface is from the origin along a unit vector [m]; positive.
+using RadiusAlong = std::function<double(const Vec<3>&)>;
 
 /// A regular icosahedron whose corners are the cyclic permutations of (0, +-1, +-golden).
-TriangleSoup icosahedron() {
+inline TriangleSoup icosahedron() {
   const double golden = (1 + std::sqrt(5.0)) / 2;
   TriangleSoup soup;
   for (int axis = 0; axis < 3; ++axis)
     for (const double one : {-1.0, 1.0})
-      for (const double long_ : {-golden, golden}) {
+      for (const double far : {-golden, golden}) {
         Vec<3> x;
         x[(axis + 1) % 3] = one;
-        x[(axis + 2) % 3] = long_;
+        x[(axis + 2) % 3] = far;
         soup.points.push_back(x);
       }
   const auto neighbours = [&](std::size_t a, std::size_t b) {
@@ -36,7 +42,7 @@ TriangleSoup icosahedron() {
 
 /// Point (i, j) of a triangle with corners a, b, c whose edges are parted in n; the same bits for
 /// both triangles at an edge, because the corners are summed in one order.
-Vec<3> gridPoint(const TriangleSoup& soup, std::size_t t, int i, int j, int n) {
+inline Vec<3> gridPoint(const TriangleSoup& soup, std::size_t t, int i, int j, int n) {
   struct Share {
     std::size_t corner;
     int parts;
@@ -50,9 +56,9 @@ Vec<3> gridPoint(const TriangleSoup& soup, std::size_t t, int i, int j, int n) {
   return x / norm(x);
 }
 
-}  // namespace
-
-TriangleSoup starShapedMesh(int frequency, const RadiusAlong& radius) {
+/// A closed surface around the origin of 20 `frequency`^2 triangles: an icosahedron whose edges are
+/// parted in `frequency`, its points moved out to `radius`.
+inline TriangleSoup starShapedMesh(int frequency, const RadiusAlong& radius) {
   const TriangleSoup coarse = icosahedron();
   TriangleSoup soup;
   const auto add = [&](std::size_t t, std::array<std::array<int, 2>, 3> corners) {
@@ -72,7 +78,9 @@ TriangleSoup starShapedMesh(int frequency, const RadiusAlong& radius) {
   return welded(soup);
 }
 
-double roughRadius(const Vec<3>& direction) {
+/// A part of radius 1 m, give or take .25, with humps and hollows of every size down to two
+/// triangles of a mesh of `frequency` 100.
+inline double roughRadius(const Vec<3>& direction) {
   double radius = 1;
   double height = 0.12;
   Vec<3> wave{{3.1, 4.7, 2.3}};
@@ -85,4 +93,4 @@ double roughRadius(const Vec<3>& direction) {
   return radius;
 }
 
-}  // namespace plenum
+}  // namespace plenum::test
