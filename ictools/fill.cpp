@@ -34,6 +34,9 @@ struct Kept {
   std::int64_t end;
 };
 
+/// Twice as far as need be, and far above round-off, so that surely is surely.
+double surely(double near, double edge) { return 2 * near + 1e-8 * edge; }
+
 /// What is kept of some rows.
 struct Batch {
   std::vector<Kept> runs;
@@ -100,11 +103,12 @@ Batch marchBand(std::span<const LatticeRow<Dim>> rows, std::size_t first, std::s
   return batch;
 }
 
-/// Keeps what lies surely inside, and of the unknown points those at `upper` or below.
+/// Keeps what lies surely inside if the band has no lower end, and of the unknown points those in
+/// the band.
 template <int Dim>
-Batch fillInside(std::span<const LatticeRow<Dim>> rows, std::size_t first, std::size_t last,
-                 const Geometry<Dim>& geometry, const RowClassifier<Dim>& classifier,
-                 double upper) {
+Batch chooseByRuns(std::span<const LatticeRow<Dim>> rows, std::size_t first, std::size_t last,
+                   const Geometry<Dim>& geometry, const RowClassifier<Dim>& classifier,
+                   DistanceBand band) {
   std::vector<Row<Dim>> asked;
   for (std::size_t r = first; r < last; ++r) asked.push_back({rows[r].point(0), rows[r].count});
   RowRuns runs;
@@ -128,10 +132,10 @@ Batch fillInside(std::span<const LatticeRow<Dim>> rows, std::size_t first, std::
   Batch batch;
   std::size_t k = 0;
   forEachRun([&](std::size_t r, std::int64_t begin, const RowRun& run) {
-    if (run.place == Place::inside) batch.keep(r, begin, run.end);
+    if (run.place == Place::inside && std::isinf(band.lower)) batch.keep(r, begin, run.end);
     if (run.place == Place::unknown)
-      for (std::int64_t i = begin; i < run.end; ++i)
-        if (distances[k++] <= upper) batch.keep(r, i, i + 1);
+      for (std::int64_t i = begin; i < run.end; ++i, ++k)
+        if (distances[k] >= band.lower && distances[k] <= band.upper) batch.keep(r, i, i + 1);
   });
   return batch;
 }
@@ -163,17 +167,47 @@ std::vector<Vec<Dim>> latticePoints(const Lattice<Dim>& lattice, const Box<Dim>&
   const std::vector<LatticeRow<Dim>> rows = lattice.rows(box);
   if (rows.empty()) return {};
   const double edge = rows.front().edge;
-  const bool isInside = std::isinf(band.lower) && std::abs(band.upper) <= mostFromSurface * edge;
-  if (!isInside)
+  const double most = mostFromSurface * edge;
+  const bool endsAtSurface =
+      std::abs(band.upper) <= most && (band.lower >= -most || std::isinf(band.lower));
+  if (!endsAtSurface)
     return chosenPoints<Dim>(rows, box, [&](auto all, std::size_t first, std::size_t last) {
       return marchBand(all, first, last, geometry, band);
     });
-  // Twice as far as need be, and far above round-off, so that surely is surely.
-  const double near = 2 * std::abs(band.upper) + 1e-9 * edge;
+  const double lower = std::isinf(band.lower) ? 0 : std::abs(band.lower);
+  const double near = surely(std::max(lower, std::abs(band.upper)), edge);
   const auto classifier = geometry.rowClassifier(edge * unitVector<Dim>(0), near);
   return chosenPoints<Dim>(rows, box, [&](auto all, std::size_t first, std::size_t last) {
-    return fillInside(all, first, last, geometry, *classifier, band.upper);
+    return chooseByRuns(all, first, last, geometry, *classifier, band);
   });
+}
+
+template <int Dim>
+std::vector<Place> placesOf(const Geometry<Dim>& geometry, std::span<const Vec<Dim>> points,
+                            double edge, double near) {
+  const Vec<Dim> step = edge * unitVector<Dim>(0);
+  const auto classifier = geometry.rowClassifier(step, surely(near, edge));
+  std::vector<Place> places(points.size(), Place::unknown);
+  inBatches(points.size(), [&](std::size_t first, std::size_t count) {
+    std::vector<Row<Dim>> rows;
+    for (const Vec<Dim>& x : points.subspan(first, count)) {
+      const auto isNext = [&](const Row<Dim>& row) {
+        const Vec<Dim> off = x - row.first - static_cast<double>(row.count) * step;
+        return normSquared(off) <= 1e-18 * edge * edge;
+      };
+      if (rows.empty() || !isNext(rows.back())) rows.push_back({x, 0});
+      ++rows.back().count;
+    }
+    RowRuns runs;
+    classifier->classify(rows, runs);
+    std::size_t k = first;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const std::size_t start = k;
+      for (const RowRun& run : runs[r])
+        while (k < start + static_cast<std::size_t>(run.end)) places[k++] = run.place;
+    }
+  });
+  return places;
 }
 
 template <int Dim>
@@ -199,16 +233,19 @@ std::vector<SurfacePoint<Dim>> closestPoints(const Geometry<Dim>& geometry,
 template std::vector<Vec<1>> latticePoints(const Lattice<1>&, const Box<1>&);
 template std::vector<Vec<1>> latticePoints(const Lattice<1>&, const Box<1>&, const Geometry<1>&,
                                            DistanceBand);
+template std::vector<Place> placesOf(const Geometry<1>&, std::span<const Vec<1>>, double, double);
 template std::vector<double> signedDistances(const Geometry<1>&, std::span<const Vec<1>>);
 template std::vector<SurfacePoint<1>> closestPoints(const Geometry<1>&, std::span<const Vec<1>>);
 template std::vector<Vec<2>> latticePoints(const Lattice<2>&, const Box<2>&);
 template std::vector<Vec<2>> latticePoints(const Lattice<2>&, const Box<2>&, const Geometry<2>&,
                                            DistanceBand);
+template std::vector<Place> placesOf(const Geometry<2>&, std::span<const Vec<2>>, double, double);
 template std::vector<double> signedDistances(const Geometry<2>&, std::span<const Vec<2>>);
 template std::vector<SurfacePoint<2>> closestPoints(const Geometry<2>&, std::span<const Vec<2>>);
 template std::vector<Vec<3>> latticePoints(const Lattice<3>&, const Box<3>&);
 template std::vector<Vec<3>> latticePoints(const Lattice<3>&, const Box<3>&, const Geometry<3>&,
                                            DistanceBand);
+template std::vector<Place> placesOf(const Geometry<3>&, std::span<const Vec<3>>, double, double);
 template std::vector<double> signedDistances(const Geometry<3>&, std::span<const Vec<3>>);
 template std::vector<SurfacePoint<3>> closestPoints(const Geometry<3>&, std::span<const Vec<3>>);
 

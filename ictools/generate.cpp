@@ -165,9 +165,9 @@ Scene<Dim> generate(const CaseNode& root, const CaseSettings& settings,
   Scene<Dim> scene{sceneInfo(root, settings, casePath, frame, fluids, walls),
                    assemble(fluids, walls, frame)};
   scene.info.domain = domainOf(frame, scene.particles);
-  scene.info.container = containerMap(container, frame);
   scene.info.quality =
       qualityFigures(fluids, walls, scene.particles, scene.info.domain, frame.spacing);
+  scene.info.container = containerMap(container, frame);
   if (relaxed) addFigures(*relaxed, scene.info);
   return scene;
 }

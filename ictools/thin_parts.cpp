@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
+
 namespace plenum {
 
 namespace {
@@ -57,19 +59,23 @@ std::vector<ThinPlace<Dim>> thinPlaces(const FluidFill<Dim>& fluid, const SceneF
 template <int Dim>
 void checkThinParts(const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
                     const Warn& warn) {
-  const std::vector<Vec<Dim>> points = allPoints(fluids);
   Box<Dim> box = Box<Dim>::nothing();
   for (const auto& fluid : fluids) box.extend(fluid.box);
   const double reach = emptyDistance * frame.spacing;
-  const PointGrid<Dim> grid(frame.clipped(box.grown(frame.spacing)), reach, points);
+  std::vector<Vec<Dim>> points;  // and their grid: made for the first thin place
+  std::optional<PointGrid<Dim>> grid;
   for (const auto& fluid : fluids) {
     if (!fluid.region) continue;
     const auto places = thinPlaces(fluid, frame);
     if (places.empty()) continue;
+    if (!grid) {
+      points = allPoints(fluids);
+      grid.emplace(frame.clipped(box.grown(frame.spacing)), reach, points);
+    }
     const ThinPlace<Dim>* thinnest = &places.front();
     for (const auto& place : places) {
       if (place.thickness < thinnest->thickness) thinnest = &place;
-      if (!(grid.nearest(frame.domain.wrap(place.point)) <= reach))
+      if (!(grid->nearest(frame.domain.wrap(place.point)) <= reach))
         at(fluid.settings.node, "region")
             .fail(fmt::format(
                 "the region is at most {:g} m thick at ({:g}), less than the spacing of "

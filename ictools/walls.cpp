@@ -119,12 +119,18 @@ void checkFluidOutsideWalls(const std::vector<FluidFill<Dim>>& fluids,
       const double tolerance =
           wall.solid.geometry->tolerance() + (fluid.region ? fluid.region->tolerance() : 0);
       const double allowed = tolerance - surfaceRoundOff * frame.spacing;
-      const auto distances = signedDistances<Dim>(*wall.solid.geometry, fluid.points);
+      const auto places = placesOf<Dim>(*wall.solid.geometry, fluid.points,
+                                        fluid.lattice.edges()[0], std::abs(allowed));
+      const Place clear = wall.solid.isOutside ? Place::inside : Place::outside;
       std::size_t nInside = 0, deepest = 0;
-      for (std::size_t k = 0; k < distances.size(); ++k) {
-        if (wall.solid.depth(distances[k]) < allowed) continue;
-        if (nInside++ == 0 || wall.solid.depth(distances[k]) > wall.solid.depth(distances[deepest]))
-          deepest = k;
+      double most = 0;
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        if (places[k] == clear) continue;
+        const double depth = wall.solid.depth(wall.solid.geometry->signedDistance(fluid.points[k]));
+        if (depth < allowed) continue;
+        if (nInside++ > 0 && depth <= most) continue;
+        deepest = k;
+        most = depth;
       }
       if (nInside == 0) continue;
       at(wall.settings.node, wall.settings.regionKey())
@@ -134,8 +140,7 @@ void checkFluidOutsideWalls(const std::vector<FluidFill<Dim>>& fluids,
               "({:g}), {:g} m behind its surface; take the solid out of the fluid's region, e.g. "
               "{{ {} = [\"{}\", \"{}\"] }}",
               nInside, fluid.points.size(), fluid.settings.name, wall.settings.name,
-              fmt::join(fluid.points[deepest].components, ", "),
-              wall.solid.depth(distances[deepest]),
+              fmt::join(fluid.points[deepest].components, ", "), most,
               wall.solid.isOutside ? "intersection" : "difference",
               fluid.settings.region.empty() ? "everything" : fluid.settings.region,
               wall.solid.isOutside ? wall.settings.outside : wall.settings.region));
