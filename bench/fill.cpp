@@ -3,11 +3,11 @@
 // plenum-bench-fill: what it costs to fill regions with lattice points, to read a mesh, and to
 // check it. docs/benchmarks.md shows a table.
 #include "ictools/fill.hpp"
+#include "bench/meshes.hpp"
 #include "geometry/box_shape.hpp"
 #include "geometry/round_shapes.hpp"
 #include "geometry/set_operation.hpp"
 #include "geometry/surface_mesh.hpp"
-#include "tests/support/meshes.hpp"
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -18,9 +18,6 @@
 namespace plenum::bench {
 
 namespace {
-
-using test::roughRadius;
-using test::starShapedMesh;
 
 /// User CPU time of this process so far [s].
 double userSeconds() {
@@ -39,7 +36,7 @@ GeometryPtr<3> boxMinusCylinder() {
 }
 
 double one(const Vec<3>&) { return 1; }
-GeometryPtr<3> mesh(int frequency, const test::RadiusAlong& radius) {
+GeometryPtr<3> mesh(int frequency, const RadiusAlong& radius) {
   return makeSurfaceMesh(starShapedMesh(frequency, radius), "mesh");
 }
 GeometryPtr<3> coarseSphere() { return mesh(32, one); }
@@ -75,7 +72,7 @@ void fill(benchmark::State& state, Make make, const std::string& lattice) {
 }
 
 /// From triangles in memory to a geometry that may be asked: welding and all checks.
-void check(benchmark::State& state, test::RadiusAlong radius) {
+void check(benchmark::State& state, RadiusAlong radius) {
   const TriangleSoup soup = starShapedMesh(static_cast<int>(state.range(0)), radius);
   const double before = userSeconds();
   for (auto _ : state) benchmark::DoNotOptimize(makeSurfaceMesh(soup, "mesh"));

@@ -40,7 +40,7 @@ Handle Group::createDataset(const std::string& name, hid_t type, const std::vect
   if (compressed && shape[0] > 0) {
     const hsize_t chunk = std::min(shape[0], chunkLength);
     H5Pset_chunk(properties.get(), 1, &chunk);
-    H5Pset_deflate(properties.get(), 6);
+    H5Pset_deflate(properties.get(), 1);
   }
   Handle set(H5Dcreate2(handle_.get(), name.c_str(), type, dataSpace.get(), H5P_DEFAULT,
                         properties.get(), H5P_DEFAULT),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/meshes.hpp"
 #include "geometry/box_shape.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/round_shapes.hpp"
@@ -6,7 +7,6 @@
 #include "geometry/surface_mesh.hpp"
 #include "particles/errors.hpp"
 #include "probe.hpp"
-#include "tests/support/meshes.hpp"
 
 namespace plenum::test {
 namespace {

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Filling by runs of rows gives the points that asking for every signed distance gives.
+#include "bench/meshes.hpp"
 #include "geometry/box_shape.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/round_shapes.hpp"
 #include "geometry/set_operation.hpp"
 #include "geometry/surface_mesh.hpp"
 #include "ictools/fill.hpp"
-#include "tests/support/meshes.hpp"
 
 #include <gtest/gtest.h>
 
 namespace plenum {
 namespace {
-
-using test::roughRadius;
-using test::starShapedMesh;
 
 template <int Dim>
 void expectSamePoints(const Geometry<Dim>& geometry, const Lattice<Dim>& lattice,
@@ -90,6 +87,36 @@ TEST(FillRows, TurnedShapes) {
     expectSamePoints(*placed(cylinder, placement), 0.125);
     if (angle == 30)
       expectSamePoints(*placed(differenceOf<3>({cube, cylinder}), placement), 0.25, {"cubic"});
+  }
+}
+
+// On the surface only: what seams between fluids are looked for with.
+TEST(FillRows, PointsOnTheSurface) {
+  const auto cube = boxOf<3>({{-1, -1, -1}}, {{1, 1, 1}});
+  const double roundOff = surfaceRoundOff * 0.25;
+  const auto points = latticePoints(Lattice<3>("cubic", 0.25), cube->bounds().grown(1), *cube,
+                                    {-roundOff, roundOff});
+  EXPECT_EQ(points.size(), 9u * 9 * 9 - 7 * 7 * 7);
+  for (const Vec<3>& x : points) EXPECT_EQ(cube->signedDistance(x), 0);
+}
+
+TEST(FillRows, PlacesOfPoints) {
+  const auto part = makeSurfaceMesh(starShapedMesh(9, roughRadius), "part");
+  const double spacing = 0.1;
+  std::vector<Vec<3>> points = latticePoints(Lattice<3>("hcp", spacing), part->bounds().grown(0.2));
+  for (std::size_t k = 0; k < points.size(); k += 7) points[k] *= 1.01;  // out of the rows
+  for (const double near : {1e-7, 0.05}) {
+    const std::vector<Place> places = placesOf<3>(*part, points, spacing, near);
+    ASSERT_EQ(places.size(), points.size());
+    const std::vector<double> distances = signedDistances<3>(*part, points);
+    std::size_t nUnknown = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (places[k] == Place::unknown) ++nUnknown;
+      if (places[k] == Place::unknown) continue;
+      ASSERT_GT(places[k] == Place::inside ? -distances[k] : distances[k], near);
+    }
+    // `near` 1e-7 should find nobody by chance; within .05 (asked as .1) lies less than half.
+    EXPECT_LT(nUnknown, near > 0.01 ? points.size() / 2 : 10u);
   }
 }
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <functional>
 
-namespace plenum::test {
+namespace plenum {
 
 /// How far the surface is from the origin along a unit vector [m]; positive.
 using RadiusAlong = std::function<double(const Vec<3>&)>;
@@ -93,4 +93,4 @@ inline double roughRadius(const Vec<3>& direction) {
   return radius;
 }
 
-}  // namespace plenum::test
+}  // namespace plenum
