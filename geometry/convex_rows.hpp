@@ -61,14 +61,14 @@ void classifyConvex(const Shape& shape, std::span<const Row<Dim>> rows, const Ve
     const Chord whole = shape.chord(row.first, step, near);
     if (!whole.isEmpty()) {
       const Chord core = shape.chord(row.first, step, -near);
-      runs.add(from(whole.begin), Place::outside);
+      runs.add(from(whole.begin), PointPlace::outside);
       if (!core.isEmpty()) {
-        runs.add(from(core.begin), Place::unknown);
-        runs.add(past(core.end), Place::inside);
+        runs.add(from(core.begin), PointPlace::unknown);
+        runs.add(past(core.end), PointPlace::inside);
       }
-      runs.add(past(whole.end), Place::unknown);
+      runs.add(past(whole.end), PointPlace::unknown);
     }
-    runs.add(row.count, Place::outside);
+    runs.add(row.count, PointPlace::outside);
     runs.endRow();
   }
 }

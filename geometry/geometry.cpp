@@ -26,8 +26,8 @@ class MarchedRows final : public RowClassifier<Dim> {
     };
     const auto judge = [&](double distance) -> Verdict {
       const double reach = std::abs(distance) - near_;
-      if (!(reach > 0)) return {Place::unknown, 0};
-      return {distance < 0 ? Place::inside : Place::outside, reach};
+      if (!(reach > 0)) return {PointPlace::unknown, 0};
+      return {distance < 0 ? PointPlace::inside : PointPlace::outside, reach};
     };
     march(geometry_, counts, norm(step_), pointOf, judge, runs);
   }

@@ -12,7 +12,7 @@ namespace plenum {
 /// What the signed distance of a point says about it, and within which distance of the point the
 /// same holds [m].
 struct Verdict {
-  Place place = Place::unknown;
+  PointPlace place = PointPlace::unknown;
   double reach = 0;
 };
 

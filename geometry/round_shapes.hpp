@@ -57,7 +57,8 @@ struct Annulus {
     RowRuns inner, outer;
     classifyConvex(Ball<2>{center, innerRadius}, rows, step, near, inner);
     classifyConvex(Ball<2>{center, outerRadius}, rows, step, near, outer);
-    runs = combined(outer, inner, [](Place a, Place b) { return std::min(a, opposite(b)); });
+    runs =
+        combined(outer, inner, [](PointPlace a, PointPlace b) { return std::min(a, opposite(b)); });
   }
 
   Box<2> bounds() const { return Box<2>{center, center, {}}.grown(outerRadius); }

@@ -15,7 +15,7 @@
 namespace plenum {
 
 /// What is known of a point's side. In this order: the union of two regions has the larger one.
-enum class Place : std::uint8_t { outside, unknown, inside };
+enum class PointPlace : std::uint8_t { outside, unknown, inside };
 
 /// Points first + i step for i = 0 ... count - 1; rows that are asked about together share `step`.
 template <int Dim>
@@ -27,7 +27,7 @@ struct Row {
 /// Neighbouring points of a row of which the same is known.
 struct RowRun {
   std::int64_t end = 0;  ///< one past the last; the run begins where the one before ends
-  Place place = Place::unknown;
+  PointPlace place = PointPlace::unknown;
 };
 
 /// The runs of many rows, row by row.
@@ -39,7 +39,7 @@ class RowRuns {
   }
 
   /// Points of the open row up to `end`; nothing if they have a place already.
-  void add(std::int64_t end, Place place) {
+  void add(std::int64_t end, PointPlace place) {
     const bool isFirst = runs_.size() == firstRun_.back();
     if (end <= (isFirst ? 0 : runs_.back().end)) return;
     if (!isFirst && runs_.back().place == place)
@@ -60,10 +60,10 @@ class RowRuns {
 };
 
 /// Points outside become points inside and the other way round.
-constexpr Place opposite(Place place) {
-  return place == Place::inside    ? Place::outside
-         : place == Place::outside ? Place::inside
-                                   : Place::unknown;
+constexpr PointPlace opposite(PointPlace place) {
+  return place == PointPlace::inside    ? PointPlace::outside
+         : place == PointPlace::outside ? PointPlace::inside
+                                        : PointPlace::unknown;
 }
 
 /// The rows of a and b, which have the same points, with decide(place in a, place in b) for each.

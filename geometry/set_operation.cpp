@@ -75,7 +75,7 @@ class CombinedRows final : public RowClassifier<Dim> {
     RowRuns other;
     for (std::size_t k = 1; k < parts_.size(); ++k) {
       parts_[k]->classify(rows, other);
-      runs = combined(runs, other, [this](Place a, Place b) {
+      runs = combined(runs, other, [this](PointPlace a, PointPlace b) {
         return operation_ == Operation::unite       ? std::max(a, b)
                : operation_ == Operation::intersect ? std::min(a, b)
                                                     : std::min(a, opposite(b));

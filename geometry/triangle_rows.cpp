@@ -94,7 +94,7 @@ class TriangleRows final : public RowClassifier<3> {
       if (isConsistent(meetings))
         addRuns(row, meetings, runs);
       else
-        runs.add(row.count, Place::unknown);
+        runs.add(row.count, PointPlace::unknown);
       runs.endRow();
     }
   }
@@ -208,16 +208,16 @@ void TriangleRows::addRuns(const Row<3>& row, std::span<const Meeting> meetings,
   for (std::size_t k = 0; k < meetings.size();) {
     const double begin = meetings[k].begin;
     double end = begin;
-    const Place before = depth > 0 ? Place::inside : Place::outside;
+    const PointPlace before = depth > 0 ? PointPlace::inside : PointPlace::outside;
     for (; k < meetings.size() && (meetings[k].begin <= end); ++k) {
       end = std::fmax(end, meetings[k].end);
       depth -= meetings[k].exits;
     }
     runs.add(static_cast<std::int64_t>(std::ceil(inSteps(begin))), before);
     runs.add(std::min(row.count, static_cast<std::int64_t>(std::floor(inSteps(end))) + 1),
-             Place::unknown);
+             PointPlace::unknown);
   }
-  runs.add(row.count, Place::outside);
+  runs.add(row.count, PointPlace::outside);
 }
 
 }  // namespace

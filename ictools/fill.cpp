@@ -89,14 +89,14 @@ Batch marchBand(std::span<const LatticeRow<Dim>> rows, std::size_t first, std::s
       [&](std::size_t r, std::int64_t i) { return rows[first + r].point(i); },
       [&](double distance) -> Verdict {
         const double inward = std::min(distance - band.lower, band.upper - distance);
-        return {inward >= 0 ? Place::inside : Place::outside, std::abs(inward)};
+        return {inward >= 0 ? PointPlace::inside : PointPlace::outside, std::abs(inward)};
       },
       runs);
   Batch batch;
   for (std::size_t r = first; r < last; ++r) {
     std::int64_t begin = 0;
     for (const RowRun& run : runs[r - first]) {
-      if (run.place == Place::inside) batch.keep(r, begin, run.end);
+      if (run.place == PointPlace::inside) batch.keep(r, begin, run.end);
       begin = run.end;
     }
   }
@@ -124,7 +124,7 @@ Batch chooseByRuns(std::span<const LatticeRow<Dim>> rows, std::size_t first, std
   };
   std::vector<Vec<Dim>> unknown;
   forEachRun([&](std::size_t r, std::int64_t begin, const RowRun& run) {
-    if (run.place == Place::unknown)
+    if (run.place == PointPlace::unknown)
       for (std::int64_t i = begin; i < run.end; ++i) unknown.push_back(rows[r].point(i));
   });
   std::vector<double> distances(unknown.size());
@@ -132,8 +132,8 @@ Batch chooseByRuns(std::span<const LatticeRow<Dim>> rows, std::size_t first, std
   Batch batch;
   std::size_t k = 0;
   forEachRun([&](std::size_t r, std::int64_t begin, const RowRun& run) {
-    if (run.place == Place::inside && std::isinf(band.lower)) batch.keep(r, begin, run.end);
-    if (run.place == Place::unknown)
+    if (run.place == PointPlace::inside && std::isinf(band.lower)) batch.keep(r, begin, run.end);
+    if (run.place == PointPlace::unknown)
       for (std::int64_t i = begin; i < run.end; ++i, ++k)
         if (distances[k] >= band.lower && distances[k] <= band.upper) batch.keep(r, i, i + 1);
   });
@@ -183,11 +183,11 @@ std::vector<Vec<Dim>> latticePoints(const Lattice<Dim>& lattice, const Box<Dim>&
 }
 
 template <int Dim>
-std::vector<Place> placesOf(const Geometry<Dim>& geometry, std::span<const Vec<Dim>> points,
-                            double edge, double near) {
+std::vector<PointPlace> placesOf(const Geometry<Dim>& geometry, std::span<const Vec<Dim>> points,
+                                 double edge, double near) {
   const Vec<Dim> step = edge * unitVector<Dim>(0);
   const auto classifier = geometry.rowClassifier(step, surely(near, edge));
-  std::vector<Place> places(points.size(), Place::unknown);
+  std::vector<PointPlace> places(points.size(), PointPlace::unknown);
   inBatches(points.size(), [&](std::size_t first, std::size_t count) {
     std::vector<Row<Dim>> rows;
     for (const Vec<Dim>& x : points.subspan(first, count)) {
@@ -233,19 +233,22 @@ std::vector<SurfacePoint<Dim>> closestPoints(const Geometry<Dim>& geometry,
 template std::vector<Vec<1>> latticePoints(const Lattice<1>&, const Box<1>&);
 template std::vector<Vec<1>> latticePoints(const Lattice<1>&, const Box<1>&, const Geometry<1>&,
                                            DistanceBand);
-template std::vector<Place> placesOf(const Geometry<1>&, std::span<const Vec<1>>, double, double);
+template std::vector<PointPlace> placesOf(const Geometry<1>&, std::span<const Vec<1>>, double,
+                                          double);
 template std::vector<double> signedDistances(const Geometry<1>&, std::span<const Vec<1>>);
 template std::vector<SurfacePoint<1>> closestPoints(const Geometry<1>&, std::span<const Vec<1>>);
 template std::vector<Vec<2>> latticePoints(const Lattice<2>&, const Box<2>&);
 template std::vector<Vec<2>> latticePoints(const Lattice<2>&, const Box<2>&, const Geometry<2>&,
                                            DistanceBand);
-template std::vector<Place> placesOf(const Geometry<2>&, std::span<const Vec<2>>, double, double);
+template std::vector<PointPlace> placesOf(const Geometry<2>&, std::span<const Vec<2>>, double,
+                                          double);
 template std::vector<double> signedDistances(const Geometry<2>&, std::span<const Vec<2>>);
 template std::vector<SurfacePoint<2>> closestPoints(const Geometry<2>&, std::span<const Vec<2>>);
 template std::vector<Vec<3>> latticePoints(const Lattice<3>&, const Box<3>&);
 template std::vector<Vec<3>> latticePoints(const Lattice<3>&, const Box<3>&, const Geometry<3>&,
                                            DistanceBand);
-template std::vector<Place> placesOf(const Geometry<3>&, std::span<const Vec<3>>, double, double);
+template std::vector<PointPlace> placesOf(const Geometry<3>&, std::span<const Vec<3>>, double,
+                                          double);
 template std::vector<double> signedDistances(const Geometry<3>&, std::span<const Vec<3>>);
 template std::vector<SurfacePoint<3>> closestPoints(const Geometry<3>&, std::span<const Vec<3>>);
 

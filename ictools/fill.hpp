@@ -43,8 +43,8 @@ std::vector<Vec<Dim>> latticePoints(const Lattice<Dim>& lattice, const Box<Dim>&
 /// all threads. Points that follow each other `edge` [m] apart along x, as lattice points do, are
 /// asked for as one row.
 template <int Dim>
-std::vector<Place> placesOf(const Geometry<Dim>& geometry, std::span<const Vec<Dim>> points,
-                            double edge, double near);
+std::vector<PointPlace> placesOf(const Geometry<Dim>& geometry, std::span<const Vec<Dim>> points,
+                                 double edge, double near);
 
 /// Signed distances [m] of all points, from all threads.
 template <int Dim>

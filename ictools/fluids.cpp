@@ -170,8 +170,8 @@ void leaveToEarlier(std::vector<FluidFill<Dim>>& fluids, std::size_t k,
     };
     std::size_t n = 0;
     std::erase_if(fluid.points, [&](const Vec<Dim>& x) {
-      const Place place = places[n++];
-      if (place != Place::unknown) return place == Place::inside;
+      const PointPlace place = places[n++];
+      if (place != PointPlace::unknown) return place == PointPlace::inside;
       const double here = region.signedDistance(x);
       return here < -roundOff || (here <= roundOff && isTaken(x));
     });

@@ -121,7 +121,7 @@ void checkFluidOutsideWalls(const std::vector<FluidFill<Dim>>& fluids,
       const double allowed = tolerance - surfaceRoundOff * frame.spacing;
       const auto places = placesOf<Dim>(*wall.solid.geometry, fluid.points,
                                         fluid.lattice.edges()[0], std::abs(allowed));
-      const Place clear = wall.solid.isOutside ? Place::inside : Place::outside;
+      const PointPlace clear = wall.solid.isOutside ? PointPlace::inside : PointPlace::outside;
       std::size_t nInside = 0, deepest = 0;
       double most = 0;
       for (std::size_t k = 0; k < places.size(); ++k) {

@@ -32,10 +32,10 @@ void expectSure(const Geometry<Dim>& geometry, const std::vector<Row<Dim>>& rows
       ASSERT_GT(run.end, i);
       for (; i < run.end; ++i) {
         const Vec<Dim> x = rows[r].first + static_cast<double>(i) * step;
-        ++(run.place == Place::unknown ? share.unknown : share.sure);
-        if (run.place == Place::unknown) continue;
+        ++(run.place == PointPlace::unknown ? share.unknown : share.sure);
+        if (run.place == PointPlace::unknown) continue;
         const double distance = geometry.signedDistance(x);
-        ASSERT_GT(run.place == Place::inside ? -distance : distance, near * (1 - 1e-6))
+        ASSERT_GT(run.place == PointPlace::inside ? -distance : distance, near * (1 - 1e-6))
             << geometry.describe() << " at " << testing::PrintToString(x.components);
       }
     }
@@ -235,20 +235,22 @@ TEST(Rows, SeamsAreUnknown) {
   const auto classifier = both->rowClassifier({{0.5, 0, 0}}, near);
   classifier->classify(rows, runs);
   const auto places = [&] {
-    std::vector<std::pair<std::int64_t, Place>> all;
+    std::vector<std::pair<std::int64_t, PointPlace>> all;
     for (const RowRun& run : runs[0]) all.emplace_back(run.end, run.place);
     return all;
   };
-  using Expected = std::vector<std::pair<std::int64_t, Place>>;
-  EXPECT_EQ(places(), (Expected{{1, Place::outside}, {5, Place::inside}, {6, Place::outside}}));
+  using Expected = std::vector<std::pair<std::int64_t, PointPlace>>;
+  EXPECT_EQ(
+      places(),
+      (Expected{{1, PointPlace::outside}, {5, PointPlace::inside}, {6, PointPlace::outside}}));
   classifier->classify(seam, runs);
-  EXPECT_EQ(places(), (Expected{{1, Place::outside},
-                                {2, Place::unknown},
-                                {3, Place::inside},
-                                {4, Place::unknown},
-                                {5, Place::inside},
-                                {6, Place::unknown},
-                                {7, Place::outside}}));
+  EXPECT_EQ(places(), (Expected{{1, PointPlace::outside},
+                                {2, PointPlace::unknown},
+                                {3, PointPlace::inside},
+                                {4, PointPlace::unknown},
+                                {5, PointPlace::inside},
+                                {6, PointPlace::unknown},
+                                {7, PointPlace::outside}}));
 }
 
 }  // namespace

@@ -106,14 +106,14 @@ TEST(FillRows, PlacesOfPoints) {
   std::vector<Vec<3>> points = latticePoints(Lattice<3>("hcp", spacing), part->bounds().grown(0.2));
   for (std::size_t k = 0; k < points.size(); k += 7) points[k] *= 1.01;  // out of the rows
   for (const double near : {1e-7, 0.05}) {
-    const std::vector<Place> places = placesOf<3>(*part, points, spacing, near);
+    const std::vector<PointPlace> places = placesOf<3>(*part, points, spacing, near);
     ASSERT_EQ(places.size(), points.size());
     const std::vector<double> distances = signedDistances<3>(*part, points);
     std::size_t nUnknown = 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
-      if (places[k] == Place::unknown) ++nUnknown;
-      if (places[k] == Place::unknown) continue;
-      ASSERT_GT(places[k] == Place::inside ? -distances[k] : distances[k], near);
+      if (places[k] == PointPlace::unknown) ++nUnknown;
+      if (places[k] == PointPlace::unknown) continue;
+      ASSERT_GT(places[k] == PointPlace::inside ? -distances[k] : distances[k], near);
     }
     // `near` 1e-7 should find nobody by chance; within .05 (asked as .1) lies less than half.
     EXPECT_LT(nUnknown, near > 0.01 ? points.size() / 2 : 10u);
