@@ -4,8 +4,12 @@
 //   static constexpr int dimension;
 //   SurfacePoint<dimension> closest(const Vec<dimension>&) const;
 //   Box<dimension> bounds() const;  double volume() const;  std::string describe() const;
+// and either `chord`, if it is convex (convex_rows.hpp), or
+//   void classify(std::span<const Row<dimension>>, const Vec<dimension>& step, double near,
+//                 RowRuns&) const;
 #pragma once
 
+#include "geometry/convex_rows.hpp"
 #include "geometry/geometry.hpp"
 
 #include <cmath>
@@ -33,6 +37,11 @@ class Analytic final : public Geometry<Shape::dimension> {
     for (std::size_t k = 0; k < points.size(); ++k) result[k] = shape_.closest(points[k]);
   }
 
+  std::unique_ptr<const RowClassifier<dimension>> rowClassifier(const Point& step,
+                                                                double near) const override {
+    return std::make_unique<const Rows>(shape_, step, near);
+  }
+
   Box<dimension> bounds() const override { return shape_.bounds(); }
   Measure volume() const override { return {shape_.volume(), 0}; }
   std::string describe() const override { return shape_.describe(); }
@@ -40,6 +49,24 @@ class Analytic final : public Geometry<Shape::dimension> {
   const Shape& shape() const { return shape_; }
 
  private:
+  class Rows final : public RowClassifier<dimension> {
+   public:
+    Rows(const Shape& shape, const Point& step, double near)
+        : shape_(shape), step_(step), near_(near) {}
+
+    void classify(std::span<const Row<dimension>> rows, RowRuns& runs) const override {
+      if constexpr (requires { shape_.chord(step_, step_, near_); })
+        classifyConvex(shape_, rows, step_, near_, runs);
+      else
+        shape_.classify(rows, step_, near_, runs);
+    }
+
+   private:
+    const Shape& shape_;
+    Point step_;
+    double near_;
+  };
+
   Shape shape_;
 };
 

@@ -23,6 +23,13 @@ struct BoxShape {
     return closestFromInside(x);
   }
 
+  Chord chord(const Vec<Dim>& x, const Vec<Dim>& step, double grow) const {
+    Chord chord;
+    for (int a = 0; a < Dim; ++a)
+      chord = chord.common(chordOfSlab(x[a], step[a], box.lower[a] - grow, box.upper[a] + grow));
+    return chord;
+  }
+
   Box<Dim> bounds() const { return box; }
   double volume() const { return box.volume(); }
   std::string describe() const {
@@ -54,6 +61,11 @@ struct HalfSpace {
   SurfacePoint<Dim> closest(const Vec<Dim>& x) const {
     const double distance = dot(normal, x - point);
     return {x - distance * normal, normal, distance};
+  }
+
+  Chord chord(const Vec<Dim>& x, const Vec<Dim>& step, double grow) const {
+    return chordOfSlab(dot(normal, x - point), dot(normal, step),
+                       -std::numeric_limits<double>::infinity(), grow);
   }
 
   Box<Dim> bounds() const {

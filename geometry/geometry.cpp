@@ -1,14 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/geometry.hpp"
 
+#include "geometry/march.hpp"
+
 #include <algorithm>
 #include <array>
 
 namespace plenum {
 
 namespace {
+
 constexpr std::size_t chunkLength = 64;  // on the stack: no allocation beyond what `closest` does
-}
+
+template <int Dim>
+class MarchedRows final : public RowClassifier<Dim> {
+ public:
+  MarchedRows(const Geometry<Dim>& geometry, const Vec<Dim>& step, double near)
+      : geometry_(geometry), step_(step), near_(near) {}
+
+  void classify(std::span<const Row<Dim>> rows, RowRuns& runs) const override {
+    std::vector<std::int64_t> counts;
+    for (const Row<Dim>& row : rows) counts.push_back(row.count);
+    const auto pointOf = [&](std::size_t r, std::int64_t i) {
+      return rows[r].first + static_cast<double>(i) * step_;
+    };
+    const auto judge = [&](double distance) -> Verdict {
+      const double reach = std::abs(distance) - near_;
+      if (!(reach > 0)) return {PointPlace::unknown, 0};
+      return {distance < 0 ? PointPlace::inside : PointPlace::outside, reach};
+    };
+    march(geometry_, counts, norm(step_), pointOf, judge, runs);
+  }
+
+ private:
+  const Geometry<Dim>& geometry_;
+  Vec<Dim> step_;
+  double near_;
+};
+
+}  // namespace
 
 template <int Dim>
 void Geometry<Dim>::signedDistance(std::span<const Vec<Dim>> points,
@@ -29,6 +59,12 @@ void Geometry<Dim>::inside(std::span<const Vec<Dim>> points, std::span<std::uint
     signedDistance(points.subspan(begin, n), std::span(distances).first(n));
     for (std::size_t k = 0; k < n; ++k) result[begin + k] = distances[k] < 0 ? 1 : 0;
   }
+}
+
+template <int Dim>
+std::unique_ptr<const RowClassifier<Dim>> Geometry<Dim>::rowClassifier(const Vec<Dim>& step,
+                                                                       double near) const {
+  return std::make_unique<const MarchedRows<Dim>>(*this, step, near);
 }
 
 template <int Dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "geometry/rows.hpp"
 #include "particles/box.hpp"
 
 #include <cstdint>
@@ -43,6 +44,13 @@ class Geometry {
   /// result[k] = nearest surface point of points[k].
   virtual void closest(std::span<const Vec<Dim>> points,
                        std::span<SurfacePoint<Dim>> result) const = 0;
+
+  /// Tells for rows of points, each `step` [m] from the one before, which points lie inside and
+  /// deeper than `near` [m] > 0, which outside and further than that; the others, and any others
+  /// that it cannot tell, are unknown. `near` is well above the round-off of a coordinate. The
+  /// answer must not outlive the geometry. Unless overridden, rows are marched by signed distance.
+  virtual std::unique_ptr<const RowClassifier<Dim>> rowClassifier(const Vec<Dim>& step,
+                                                                  double near) const;
 
   /// A box that contains the region; infinite for a half-space and the like.
   virtual Box<Dim> bounds() const = 0;

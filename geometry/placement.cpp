@@ -9,6 +9,24 @@ namespace plenum {
 
 namespace {
 
+/// Asks about rows in the frame of the shape.
+template <int Dim>
+class PlacedRows final : public RowClassifier<Dim> {
+ public:
+  PlacedRows(std::unique_ptr<const RowClassifier<Dim>> own, const Placement<Dim>& placement)
+      : own_(std::move(own)), placement_(placement) {}
+
+  void classify(std::span<const Row<Dim>> rows, RowRuns& runs) const override {
+    std::vector<Row<Dim>> moved(rows.begin(), rows.end());
+    for (Row<Dim>& row : moved) row.first = placement_.invert(row.first);
+    own_->classify(moved, runs);
+  }
+
+ private:
+  std::unique_ptr<const RowClassifier<Dim>> own_;
+  Placement<Dim> placement_;
+};
+
 template <int Dim>
 class PlacedGeometry final : public Geometry<Dim> {
  public:
@@ -24,6 +42,13 @@ class PlacedGeometry final : public Geometry<Dim> {
       result[k] = {placement_.apply(hit.point), placement_.turned(hit.normal),
                    placement_.scale * hit.signedDistance};
     }
+  }
+
+  std::unique_ptr<const RowClassifier<Dim>> rowClassifier(const Vec<Dim>& step,
+                                                          double near) const override {
+    const double scale = placement_.scale;
+    return std::make_unique<const PlacedRows<Dim>>(
+        shape_->rowClassifier(placement_.turnedBack(step) / scale, near / scale), placement_);
   }
 
   /// Of the turned corners of the shape's own box: it contains the region but may be loose.

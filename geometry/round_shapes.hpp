@@ -22,6 +22,10 @@ struct Ball {
     return {center + radius * normal, normal, norm(x - center) - radius};
   }
 
+  Chord chord(const Vec<Dim>& x, const Vec<Dim>& step, double grow) const {
+    return chordOfBall(x - center, step, radius + grow);
+  }
+
   Box<Dim> bounds() const { return Box<Dim>{center, center, {}}.grown(radius); }
   double volume() const {
     constexpr double pi = std::numbers::pi;
@@ -46,6 +50,15 @@ struct Annulus {
     if (r - innerRadius < outerRadius - r)
       return {center + innerRadius * outward, -outward, innerRadius - r};
     return {center + outerRadius * outward, outward, r - outerRadius};
+  }
+
+  void classify(std::span<const Row<2>> rows, const Vec<2>& step, double near,
+                RowRuns& runs) const {
+    RowRuns inner, outer;
+    classifyConvex(Ball<2>{center, innerRadius}, rows, step, near, inner);
+    classifyConvex(Ball<2>{center, outerRadius}, rows, step, near, outer);
+    runs =
+        combined(outer, inner, [](PointPlace a, PointPlace b) { return std::min(a, opposite(b)); });
   }
 
   Box<2> bounds() const { return Box<2>{center, center, {}}.grown(outerRadius); }
@@ -84,6 +97,24 @@ struct Cylinder {
     if (pastSide <= 0) return {nearest, upperCap ? axis : -axis, pastCap};
     const double distance = std::hypot(pastSide, pastCap);
     return {nearest, direction(x - nearest, outward), distance};
+  }
+
+  Chord chord(const Vec<3>& x, const Vec<3>& step, double grow) const {
+    const double length = norm(to - from);
+    const Vec<3> axis = (to - from) / length;
+    const double along = dot(x - from, axis);
+    const double rate = dot(step, axis);
+    const Chord between = chordOfSlab(along, rate, -grow, length + grow);
+    if (between.isEmpty()) return between;
+    const Vec<3> radial = x - from - along * axis;
+    const Vec<3> radialRate = step - rate * axis;
+    if (norm(radialRate) > 1e-3 * norm(step))
+      return between.common(chordOfBall(radial, radialRate, radius + grow));
+    // Almost along the axis: a root would be spoilt by round-off, so the whole way between the caps
+    // is in or out, with the way to the side as a margin.
+    const double aside = norm(radialRate) * (between.end - between.begin);
+    const double r = norm(radial + between.begin * radialRate);
+    return r + (grow < 0 ? aside : -aside) <= radius + grow ? between : Chord::empty();
   }
 
   Box<3> bounds() const {

@@ -59,6 +59,35 @@ std::vector<Part<Dim>> signedParts(Operation operation,
   return result;
 }
 
+/// Combines what the parts know. Where two parts only touch, each says "unknown", and so do they
+/// together: on a seam the exact question decides.
+template <int Dim>
+class CombinedRows final : public RowClassifier<Dim> {
+ public:
+  CombinedRows(Operation operation, const std::vector<GeometryPtr<Dim>>& parts,
+               const Vec<Dim>& step, double near)
+      : operation_(operation) {
+    for (const GeometryPtr<Dim>& part : parts) parts_.push_back(part->rowClassifier(step, near));
+  }
+
+  void classify(std::span<const Row<Dim>> rows, RowRuns& runs) const override {
+    parts_.front()->classify(rows, runs);
+    RowRuns other;
+    for (std::size_t k = 1; k < parts_.size(); ++k) {
+      parts_[k]->classify(rows, other);
+      runs = combined(runs, other, [this](PointPlace a, PointPlace b) {
+        return operation_ == Operation::unite       ? std::max(a, b)
+               : operation_ == Operation::intersect ? std::min(a, b)
+                                                    : std::min(a, opposite(b));
+      });
+    }
+  }
+
+ private:
+  Operation operation_;
+  std::vector<std::unique_ptr<const RowClassifier<Dim>>> parts_;
+};
+
 template <int Dim>
 class SetOperation final : public Geometry<Dim> {
  public:
@@ -86,6 +115,13 @@ class SetOperation final : public Geometry<Dim> {
   void closest(std::span<const Vec<Dim>> points,
                std::span<SurfacePoint<Dim>> result) const override {
     for (std::size_t k = 0; k < points.size(); ++k) result[k] = turned(common_.closest(points[k]));
+  }
+
+  std::unique_ptr<const RowClassifier<Dim>> rowClassifier(const Vec<Dim>& step,
+                                                          double near) const override {
+    // Exact answers take lengths below the resolution as zero.
+    return std::make_unique<const CombinedRows<Dim>>(operation_, parts_, step,
+                                                     near + 4 * common_.resolution());
   }
 
   Box<Dim> bounds() const override { return boundsOf(operation_, parts_); }

@@ -5,6 +5,8 @@
 
 #include "geometry/print.hpp"
 #include "geometry/surface_check.hpp"
+#include "geometry/triangle_rows.hpp"
+#include "particles/errors.hpp"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -16,8 +18,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstdint>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace plenum {
@@ -67,38 +71,53 @@ void checkSelfIntersections(const Mesh& mesh, const TriangleSoup& soup, const st
 /// (2005), doi 10.1109/TVCG.2005.49.
 class PseudoNormals {
  public:
-  explicit PseudoNormals(const TriangleSoup& soup) : corners_(soup.points.size()) {
-    std::map<std::pair<std::size_t, std::size_t>, Vec<3>> edgeSums;
-    const auto key = [](std::size_t a, std::size_t b) {
-      return std::pair(std::min(a, b), std::max(a, b));
-    };
+  PseudoNormals(const TriangleSoup& soup, const Mesh& mesh) : corners_(soup.points.size()) {
+    faces_.reserve(soup.triangles.size());
     for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
       const Vec<3> area =
           cross(soup.corner(t, 1) - soup.corner(t, 0), soup.corner(t, 2) - soup.corner(t, 0));
       faces_.push_back(area / norm(area));
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t next = soup.triangles[t][(k + 1) % 3];
         const Vec<3> u = soup.corner(t, (k + 1) % 3) - soup.corner(t, k);
         const Vec<3> v = soup.corner(t, (k + 2) % 3) - soup.corner(t, k);
         corners_[soup.triangles[t][k]] += std::atan2(norm(cross(u, v)), dot(u, v)) * faces_[t];
-        edgeSums[key(soup.triangles[t][k], next)] += faces_[t];
       }
     }
-    edges_.resize(soup.triangles.size());
+    beyond_.resize(soup.triangles.size());
     for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-      for (std::size_t k = 0; k < 3; ++k)
-        edges_[t][k] = edgeSums[key(soup.triangles[t][k], soup.triangles[t][(k + 1) % 3])];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto corner = [&](std::size_t c) {
+          return Mesh::Vertex_index(static_cast<Mesh::size_type>(soup.triangles[t][c % 3]));
+        };
+        const auto side = mesh.halfedge(corner(k), corner(k + 1));
+        beyond_[t][k] = static_cast<std::uint32_t>(mesh.face(mesh.opposite(side)));
+      }
   }
 
   const Vec<3>& face(std::size_t t) const { return faces_[t]; }
   /// Of the edge from corner k of triangle t to the next.
-  const Vec<3>& edge(std::size_t t, std::size_t k) const { return edges_[t][k]; }
+  Vec<3> edge(std::size_t t, std::size_t k) const { return faces_[t] + faces_[beyond_[t][k]]; }
   const Vec<3>& corner(std::size_t point) const { return corners_[point]; }
 
  private:
   std::vector<Vec<3>> faces_;
-  std::vector<std::array<Vec<3>, 3>> edges_;
+  std::vector<std::array<std::uint32_t, 3>> beyond_;  ///< the triangle on the other side
   std::vector<Vec<3>> corners_;
+};
+
+/// All that exact questions need.
+class ExactSurface {
+ public:
+  ExactSurface(const TriangleSoup& soup, const Mesh& mesh)
+      : normals(soup, mesh), tree(faces(mesh).begin(), faces(mesh).end(), mesh) {
+    tree.build();
+    tree.accelerate_distance_queries();  // now, so that queries only read
+    side = std::make_unique<CGAL::Side_of_triangle_mesh<Mesh, Kernel>>(tree);
+  }
+
+  PseudoNormals normals;
+  Tree tree;
+  std::unique_ptr<CGAL::Side_of_triangle_mesh<Mesh, Kernel>> side;
 };
 
 class SurfaceMesh final : public Geometry<3> {
@@ -107,24 +126,25 @@ class SurfaceMesh final : public Geometry<3> {
 
   SurfaceMesh(TriangleSoup soup, Mesh mesh, std::string description, double tolerance)
       : soup_(std::move(soup)),
-        normals_(soup_),
         mesh_(std::move(mesh)),
-        tree_(faces(mesh_).begin(), faces(mesh_).end(), mesh_),
         description_(std::move(description)),
         tolerance_(tolerance),
         volume_(signedVolume(soup_)) {
-    tree_.build();
-    tree_.accelerate_distance_queries();  // now, so that queries only read
-    side_ = std::make_unique<Side>(tree_);
     for (const Vec<3>& x : soup_.points) bounds_.extend(x);
     size_ = std::max(norm(bounds_.lower), norm(bounds_.upper));
   }
 
   void closest(std::span<const Vec<3>> points, std::span<SurfacePoint<3>> result) const override {
+    const ExactSurface& surface = exact();
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const auto hit = tree_.closest_point_and_primitive(toPoint(points[k]));
-      result[k] = onTriangle(std::size_t(hit.second), toVec(hit.first), points[k]);
+      const auto hit = surface.tree.closest_point_and_primitive(toPoint(points[k]));
+      result[k] = onTriangle(surface, std::size_t(hit.second), toVec(hit.first), points[k]);
     }
+  }
+
+  std::unique_ptr<const RowClassifier<3>> rowClassifier(const Vec<3>& step,
+                                                        double near) const override {
+    return classifierOfTriangles(soup_, step, near);
   }
 
   Box<3> bounds() const override { return bounds_; }
@@ -135,12 +155,17 @@ class SurfaceMesh final : public Geometry<3> {
   }
 
  private:
-  using Side = CGAL::Side_of_triangle_mesh<Mesh, Kernel>;
+  /// Built when it is first needed: filling asks rows first, and exactly only at the surface.
+  const ExactSurface& exact() const {
+    std::call_once(isBuilt_, [this] { exact_.emplace(soup_, mesh_); });
+    return *exact_;
+  }
 
   /// `nearest` on triangle t, seen from x.
-  SurfacePoint<3> onTriangle(std::size_t t, const Vec<3>& nearest, const Vec<3>& x) const {
+  SurfacePoint<3> onTriangle(const ExactSurface& surface, std::size_t t, const Vec<3>& nearest,
+                             const Vec<3>& x) const {
     bool onFace = false;
-    const Vec<3> normal = normalAt(t, nearest, onFace);
+    const Vec<3> normal = normalAt(surface.normals, t, nearest, onFace);
     const Vec<3> way = x - nearest;
     const double distance = norm(way);
     const double along = dot(way, normal);
@@ -150,7 +175,7 @@ class SurfaceMesh final : public Geometry<3> {
     // near that round-off matters; then exact rays do.
     double sign = along < 0 ? -1 : 1;
     if (std::abs(along) < 1e-6 * distance || distance < 1e-9 * size_) {
-      const CGAL::Bounded_side side = (*side_)(toPoint(x));
+      const CGAL::Bounded_side side = (*surface.side)(toPoint(x));
       if (side == CGAL::ON_BOUNDARY) return {nearest, normal, 0};
       sign = side == CGAL::ON_BOUNDED_SIDE ? -1 : 1;
     }
@@ -160,32 +185,32 @@ class SurfaceMesh final : public Geometry<3> {
   }
 
   /// The unit pseudo-normal of the face, edge or corner on which p lies.
-  Vec<3> normalAt(std::size_t t, const Vec<3>& p, bool& onFace) const {
+  Vec<3> normalAt(const PseudoNormals& normals, std::size_t t, const Vec<3>& p,
+                  bool& onFace) const {
     std::array<bool, 3> onEdge{};
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec<3> from = soup_.corner(t, k);
       const Vec<3> along = soup_.corner(t, (k + 1) % 3) - from;
-      const double height = dot(cross(normals_.face(t), along), p - from) / norm(along);
+      const double height = dot(cross(normals.face(t), along), p - from) / norm(along);
       onEdge[k] = height < 1e-10 * size_;
     }
     onFace = false;
-    Vec<3> normal = normals_.face(t);
+    Vec<3> normal = normals.face(t);
     for (std::size_t k = 0; k < 3; ++k) {
       if (onEdge[k] && onEdge[(k + 2) % 3]) {
-        normal = normals_.corner(soup_.triangles[t][k]);
+        normal = normals.corner(soup_.triangles[t][k]);
         return normal / norm(normal);
       }
-      if (onEdge[k]) normal = normals_.edge(t, k);
+      if (onEdge[k]) normal = normals.edge(t, k);
     }
     onFace = !(onEdge[0] || onEdge[1] || onEdge[2]);
     return normal / norm(normal);
   }
 
   TriangleSoup soup_;
-  PseudoNormals normals_;
   Mesh mesh_;
-  Tree tree_;
-  std::unique_ptr<Side> side_;
+  mutable std::once_flag isBuilt_;
+  mutable std::optional<ExactSurface> exact_;
   Box<3> bounds_ = Box<3>::nothing();
   std::string description_;
   double tolerance_;

@@ -13,6 +13,7 @@ namespace plenum {
 std::vector<Side> sidesOf(const TriangleSoup& soup) {
   std::vector<Side> sides;
   sides.reserve(3 * soup.triangles.size());
+  sides.reserve(3 * soup.triangles.size());
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t a = soup.triangles[t][k];

@@ -12,38 +12,55 @@ namespace plenum {
 
 namespace {
 
+constexpr std::size_t batchLength = 4096;
+
 constexpr FieldSet sceneFields{field::position, field::velocity, field::mass,
                                field::density,  field::pressure, field::smoothingLength,
                                field::id,       field::material};
 constexpr FieldSet wallFields{field::wall, field::normal, field::wallDistance};
 
+/// State of the particles of fluid `material`, from `first` on; their positions are there.
 template <int Dim>
 void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
               const SceneFrame<Dim>& frame, ParticleSet<Dim>& particles) {
   const FluidSettings& settings = fluid.settings;
+  const std::size_t n = fluid.nParticles;
   const InitialState state(frame.solver, settings.density, settings.pressure, settings.hydrostatic,
                            settings.node);
   Vec<Dim> velocity;
   for (std::size_t a = 0; a < settings.velocity.size(); ++a)
     velocity[static_cast<int>(a)] = settings.velocity[a];
+  const auto positions = particles[field::position].subspan(first, n);
+  const auto velocities = particles[field::velocity].subspan(first, n);
+  const auto densities = particles[field::density].subspan(first, n);
+  const auto pressures = particles[field::pressure].subspan(first, n);
+  const auto masses = particles[field::mass].subspan(first, n);
+  const auto lengths = particles[field::smoothingLength].subspan(first, n);
+  const auto materials = particles[field::material].subspan(first, n);
+  const bool hasEqualMasses = settings.spacingFollowsDensity();
+  const auto fill = [&](std::size_t k, const FluidState& here) {
+    velocities[k] = velocity;
+    densities[k] = here.density;
+    pressures[k] = here.pressure;
+    masses[k] = hasEqualMasses ? fluid.particleMass : here.density * fluid.particleVolume;
+    materials[k] = material;
+    lengths[k] = frame.smoothingLength();
+    if (hasEqualMasses)
+      lengths[k] *=
+          std::pow(fluid.particleMass / here.density / fluid.lattice.cellVolume(), 1.0 / Dim);
+  };
   std::vector<double> density;
   if (fluid.profile)
-    density = densitiesAt<Dim>(*fluid.profile, fluid.points, at(settings.node, "profile"));
-  for (std::size_t k = 0; k < fluid.points.size(); ++k) {
-    const std::size_t i = first + k;
-    const FluidState here = fluid.profile ? state.withDensity(density[k]) : state(fluid.points[k]);
-    particles[field::position][i] = fluid.points[k];
-    particles[field::velocity][i] = velocity;
-    particles[field::density][i] = here.density;
-    particles[field::pressure][i] = here.pressure;
-    particles[field::mass][i] =
-        settings.spacingFollowsDensity() ? fluid.particleMass : here.density * fluid.particleVolume;
-    particles[field::material][i] = material;
-    particles[field::smoothingLength][i] = frame.smoothingLength();
-    if (settings.spacingFollowsDensity())
-      particles[field::smoothingLength][i] *=
-          std::pow(fluid.particleMass / here.density / fluid.lattice.cellVolume(), 1.0 / Dim);
+    density = densitiesAt<Dim>(*fluid.profile, positions, at(settings.node, "profile"));
+  if (!fluid.profile && state.isUniform()) {
+    const FluidState everywhere = state(Vec<Dim>{});
+    forEachIndex(n, [&](std::size_t k) { fill(k, everywhere); });
+    return;
   }
+  parallelFor((n + batchLength - 1) / batchLength, [&](std::size_t b) {
+    for (std::size_t k = b * batchLength; k < std::min(n, (b + 1) * batchLength); ++k)
+      fill(k, fluid.profile ? state.withDensity(density[k]) : state(positions[k]));
+  });
 }
 
 template <int Dim>
@@ -79,41 +96,57 @@ double minDistance(std::span<const Vec<Dim>> points, const Box<Dim>& domain, dou
       box.lower[a] -= spacing;
       box.upper[a] += spacing;
     }
-  const PointGrid<Dim> grid(box, 1.5 * spacing, points);
-  constexpr std::size_t batch = 4096;
-  std::vector<double> smallest((points.size() + batch - 1) / batch,
-                               std::numeric_limits<double>::infinity());
-  parallelFor(smallest.size(), [&](std::size_t b) {
-    for (std::size_t k = b * batch; k < std::min(points.size(), (b + 1) * batch); ++k)
-      smallest[b] = std::min(smallest[b], grid.nearest(points[k], k));
-  });
-  return smallest.empty() ? 0 : *std::min_element(smallest.begin(), smallest.end());
+  if (points.empty()) return 0;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  // Of particles at their spacing small cells find the pair; larger ones are made only if need be.
+  for (const double reach : {1.05 * spacing, 1.5 * spacing}) {
+    const PointGrid<Dim> grid(box, reach, points);
+    std::vector<double> smallest((points.size() + batchLength - 1) / batchLength, infinity);
+    parallelFor(smallest.size(), [&](std::size_t b) {
+      for (std::size_t k = b * batchLength; k < std::min(points.size(), (b + 1) * batchLength); ++k)
+        smallest[b] = std::min(smallest[b], grid.nearest(points[k], k));
+    });
+    const double found = *std::ranges::min_element(smallest);
+    if (found < infinity) return found;
+  }
+  return infinity;
 }
 
 }  // namespace
 
 template <int Dim>
-ParticleSet<Dim> assemble(const std::vector<FluidFill<Dim>>& fluids,
+ParticleSet<Dim> assemble(std::vector<FluidFill<Dim>>& fluids,
                           const std::vector<WallFill<Dim>>& walls, const SceneFrame<Dim>& frame) {
   std::size_t nFluid = 0, nWalls = 0;
   for (const auto& fluid : fluids) nFluid += fluid.points.size();
   for (const auto& wall : walls) nWalls += wall.points.size();
-  ParticleSet<Dim> particles(walls.empty() ? sceneFields : sceneFields | wallFields, nFluid,
-                             nWalls);
+  // Positions first, and their source is freed, before there are other fields.
+  ParticleSet<Dim> particles(FieldSet{field::position}, nFluid, nWalls);
   std::size_t first = 0;
+  for (FluidFill<Dim>& fluid : fluids) {
+    std::ranges::copy(fluid.points,
+                      particles[field::position].begin() + static_cast<std::ptrdiff_t>(first));
+    fluid.nParticles = fluid.points.size();
+    first += fluid.nParticles;
+    std::vector<Vec<Dim>>().swap(fluid.points);  // assigning {} would keep the memory
+  }
+  particles.add(walls.empty() ? sceneFields : sceneFields | wallFields);
+  first = 0;
   for (std::size_t k = 0; k < fluids.size(); ++k) {
     addFluid(fluids[k], static_cast<int>(k), first, frame, particles);
-    first += fluids[k].points.size();
+    first += fluids[k].nParticles;
   }
   first = 0;
   for (std::size_t k = 0; k < walls.size(); ++k) {
     addWall(walls[k], static_cast<int>(k), first, frame, particles);
     first += walls[k].points.size();
   }
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (i >= nFluid) particles[field::smoothingLength][i] = frame.smoothingLength();
-    particles[field::id][i] = i < nFluid ? nWalls + i + 1 : i - nFluid + 1;
-  }
+  const auto lengths = particles[field::smoothingLength];
+  const auto ids = particles[field::id];
+  forEachIndex(particles.size(), [&](std::size_t i) {
+    if (i >= nFluid) lengths[i] = frame.smoothingLength();
+    ids[i] = i < nFluid ? nWalls + i + 1 : i - nFluid + 1;
+  });
   return particles;
 }
 
@@ -132,10 +165,10 @@ std::vector<std::pair<std::string, double>> qualityFigures(
   for (const auto& fluid : fluids) {
     const std::string& name = fluid.settings.name;
     double mass = 0;
-    for (const std::size_t end = i + fluid.points.size(); i < end; ++i)
+    for (const std::size_t end = i + fluid.nParticles; i < end; ++i)
       mass += particles[field::mass][i];
     const double whole = fluid.settings.density * fluid.volume.value;
-    figures.emplace_back(name + ": particles", fluid.points.size());
+    figures.emplace_back(name + ": particles", fluid.nParticles);
     figures.emplace_back(name + ": mass", mass);
     if (fluid.nCovered == 0 && !fluid.profile)
       figures.emplace_back(name + ": density x volume", whole);
@@ -152,17 +185,17 @@ std::vector<std::pair<std::string, double>> qualityFigures(
   return figures;
 }
 
-template ParticleSet<1> assemble(const std::vector<FluidFill<1>>&, const std::vector<WallFill<1>>&,
+template ParticleSet<1> assemble(std::vector<FluidFill<1>>&, const std::vector<WallFill<1>>&,
                                  const SceneFrame<1>&);
 template std::vector<std::pair<std::string, double>> qualityFigures(
     const std::vector<FluidFill<1>>&, const std::vector<WallFill<1>>&, const ParticleSet<1>&,
     const Box<1>&, double);
-template ParticleSet<2> assemble(const std::vector<FluidFill<2>>&, const std::vector<WallFill<2>>&,
+template ParticleSet<2> assemble(std::vector<FluidFill<2>>&, const std::vector<WallFill<2>>&,
                                  const SceneFrame<2>&);
 template std::vector<std::pair<std::string, double>> qualityFigures(
     const std::vector<FluidFill<2>>&, const std::vector<WallFill<2>>&, const ParticleSet<2>&,
     const Box<2>&, double);
-template ParticleSet<3> assemble(const std::vector<FluidFill<3>>&, const std::vector<WallFill<3>>&,
+template ParticleSet<3> assemble(std::vector<FluidFill<3>>&, const std::vector<WallFill<3>>&,
                                  const SceneFrame<3>&);
 template std::vector<std::pair<std::string, double>> qualityFigures(
     const std::vector<FluidFill<3>>&, const std::vector<WallFill<3>>&, const ParticleSet<3>&,

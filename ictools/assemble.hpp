@@ -6,9 +6,9 @@
 
 namespace plenum {
 
-/// All particles with their state.
+/// All particles with their state. The fluids hand over their points and keep their number.
 template <int Dim>
-ParticleSet<Dim> assemble(const std::vector<FluidFill<Dim>>& fluids,
+ParticleSet<Dim> assemble(std::vector<FluidFill<Dim>>& fluids,
                           const std::vector<WallFill<Dim>>& walls, const SceneFrame<Dim>& frame);
 
 /// Named figures of the set: numbers of particles, masses and their deviation from density times

@@ -30,12 +30,21 @@ template <int Dim>
 std::vector<Vec<Dim>> latticePoints(const Lattice<Dim>& lattice, const Box<Dim>& box);
 
 /// Points of `lattice` in `box` whose signed distance to `geometry` lies in `band`, row by row; the
-/// same for any number of threads. Rows are marched: a point whose distance is well inside (or
-/// outside) the band decides for its neighbours too, so the number of queries grows with the
-/// surface and not with the volume.
+/// same for any number of threads. For what lies inside (`band.lower` infinite, `band.upper` about
+/// zero) or on the surface (both about zero) the geometry tells whole runs of a row at once
+/// (Geometry::rowClassifier), and only points at the surface are asked for their distance. In other
+/// bands rows are marched: a point whose distance is well inside (or outside) the band decides for
+/// its neighbours too, so the number of queries grows with the surface and not with the volume.
 template <int Dim>
 std::vector<Vec<Dim>> latticePoints(const Lattice<Dim>& lattice, const Box<Dim>& box,
                                     const Geometry<Dim>& geometry, DistanceBand band);
+
+/// Which points surely lie inside of `geometry`, and which outside, by more than `near` [m]; from
+/// all threads. Points that follow each other `edge` [m] apart along x, as lattice points do, are
+/// asked for as one row.
+template <int Dim>
+std::vector<PointPlace> placesOf(const Geometry<Dim>& geometry, std::span<const Vec<Dim>> points,
+                                 double edge, double near);
 
 /// Signed distances [m] of all points, from all threads.
 template <int Dim>

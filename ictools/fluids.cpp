@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace plenum {
 
@@ -160,12 +161,19 @@ void leaveToEarlier(std::vector<FluidFill<Dim>>& fluids, std::size_t k,
       fluid.points.clear();
       break;
     }
-    const auto distance = signedDistances<Dim>(*fluids[earlier].region, fluid.points);
-    const PointGrid<Dim> taken(fluids[earlier].box, frame.spacing / 2, fluids[earlier].points);
+    const Geometry<Dim>& region = *fluids[earlier].region;
+    const auto places = placesOf<Dim>(region, fluid.points, fluid.lattice.edges()[0], roundOff);
+    std::optional<PointGrid<Dim>> taken;  // made for the first point on the surface
+    const auto isTaken = [&](const Vec<Dim>& x) {
+      if (!taken) taken.emplace(fluids[earlier].box, frame.spacing / 2, fluids[earlier].points);
+      return std::isfinite(taken->nearest(x));
+    };
     std::size_t n = 0;
     std::erase_if(fluid.points, [&](const Vec<Dim>& x) {
-      const double here = distance[n++];
-      return here < -roundOff || (here <= roundOff && std::isfinite(taken.nearest(x)));
+      const PointPlace place = places[n++];
+      if (place != PointPlace::unknown) return place == PointPlace::inside;
+      const double here = region.signedDistance(x);
+      return here < -roundOff || (here <= roundOff && isTaken(x));
     });
   }
   fluid.nCovered = before - fluid.points.size();
@@ -250,7 +258,9 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
       fluid.points = latticePoints(fluid.lattice, fluid.box);
     } else {
       fluid.points = latticePoints(fluid.lattice, fluid.box, *fluid.region, {.upper = -roundOff});
-      for (const Vec<Dim>& x : seamPoints(fluids, k, frame)) fluid.points.push_back(x);
+      const std::vector<Vec<Dim>> seam = seamPoints(fluids, k, frame);
+      if (!seam.empty()) fluid.points.reserve(fluid.points.size() + seam.size());  // no more
+      fluid.points.insert(fluid.points.end(), seam.begin(), seam.end());
     }
     leaveToEarlier(fluids, k, frame);
     checkNotEmpty(fluid, frame);

@@ -20,11 +20,12 @@ struct FluidFill {
   Lattice<Dim> lattice;     ///< for `random` the closest packing that it has the density of
   DensityProfilePtr<Dim> profile = {};  ///< null: the same density everywhere
   std::vector<Vec<Dim>> points = {};
-  Measure volume = {};        ///< of the region [m^d]
-  double particleVolume = 0;  ///< [m^d]; of particles of equal mass that of the mean
-  double particleMass = 0;    ///< of all particles of a profile with equal masses [kg]
-  std::size_t nCovered = 0;   ///< places left to an earlier fluid
-  bool isCut = false;         ///< the region reaches beyond periodic faces
+  Measure volume = {};         ///< of the region [m^d]
+  double particleVolume = 0;   ///< [m^d]; of particles of equal mass that of the mean
+  double particleMass = 0;     ///< of all particles of a profile with equal masses [kg]
+  std::size_t nCovered = 0;    ///< places left to an earlier fluid
+  std::size_t nParticles = 0;  ///< counted when `assemble` takes the points
+  bool isCut = false;          ///< the region reaches beyond periodic faces
 
   /// That a particle has if the fluid fills what is its own [m^d].
   double meanVolume() const {

@@ -130,9 +130,9 @@ Generated<Dim> generate(const CaseNode& root, const CaseSettings& settings,
   Scene<Dim> scene{sceneInfo(root, settings, casePath, frame, fluids, walls),
                    assemble(fluids, walls, frame)};
   scene.info.domain = domainOf(frame, scene.particles);
-  scene.info.container = containerMap(container, frame);
   scene.info.quality =
       qualityFigures(fluids, walls, scene.particles, scene.info.domain, frame.spacing);
+  scene.info.container = containerMap(container, frame);
   if (relaxed) addFigures(*relaxed, scene.info);
   std::vector<DensityProfilePtr<Dim>> profiles;
   for (const auto& fluid : fluids) profiles.push_back(fluid.profile);

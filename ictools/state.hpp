@@ -26,6 +26,9 @@ class InitialState {
                std::optional<double> pressure,
                const std::optional<HydrostaticSettings>& hydrostatic, const CaseNode& table);
 
+  /// The same everywhere.
+  bool isUniform() const { return !(gravity_ > 0); }
+
   /// Throws InputError if the pressure is so low that no density belongs to it.
   template <int Dim>
   FluidState operator()(const Vec<Dim>& x) const;

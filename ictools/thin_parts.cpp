@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace plenum {
 
@@ -91,18 +92,22 @@ std::optional<ThinPlace<Dim>> thinnestPlace(const FluidFill<Dim>& fluid,
 template <int Dim>
 void checkThinParts(const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
                     const Warn& warn) {
-  const std::vector<Vec<Dim>> points = allPoints(fluids);
   Box<Dim> box = Box<Dim>::nothing();
   for (const auto& fluid : fluids) box.extend(fluid.box);
   const double reach = emptyDistance * frame.spacing;
-  const PointGrid<Dim> grid(frame.clipped(box.grown(frame.spacing)), reach, points);
+  std::vector<Vec<Dim>> points;  // and their grid: made for the first thin place
+  std::optional<PointGrid<Dim>> grid;
   Findings findings;
   for (const auto& fluid : fluids) {
     if (!fluid.region) continue;
     const auto places = thinPlaces(fluid, frame, frame.spacing);
     if (places.empty()) continue;
+    if (!grid) {
+      points = allPoints(fluids);
+      grid.emplace(frame.clipped(box.grown(frame.spacing)), reach, points);
+    }
     const auto isEmpty = [&](const ThinPlace<Dim>& place) {
-      return !(grid.nearest(frame.domain.wrap(place.point)) <= reach);
+      return !(grid->nearest(frame.domain.wrap(place.point)) <= reach);
     };
     const auto empty = std::ranges::find_if(places, isEmpty);
     if (empty != places.end()) {

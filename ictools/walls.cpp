@@ -121,12 +121,18 @@ void checkFluidOutsideWalls(const std::vector<FluidFill<Dim>>& fluids,
       const double tolerance =
           wall.solid.geometry->tolerance() + (fluid.region ? fluid.region->tolerance() : 0);
       const double allowed = tolerance - surfaceRoundOff * frame.spacing;
-      const auto distances = signedDistances<Dim>(*wall.solid.geometry, fluid.points);
+      const auto places = placesOf<Dim>(*wall.solid.geometry, fluid.points,
+                                        fluid.lattice.edges()[0], std::abs(allowed));
+      const PointPlace clear = wall.solid.isOutside ? PointPlace::inside : PointPlace::outside;
       std::size_t nInside = 0, deepest = 0;
-      for (std::size_t k = 0; k < distances.size(); ++k) {
-        if (wall.solid.depth(distances[k]) < allowed) continue;
-        if (nInside++ == 0 || wall.solid.depth(distances[k]) > wall.solid.depth(distances[deepest]))
-          deepest = k;
+      double most = 0;
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        if (places[k] == clear) continue;
+        const double depth = wall.solid.depth(wall.solid.geometry->signedDistance(fluid.points[k]));
+        if (depth < allowed) continue;
+        if (nInside++ > 0 && depth <= most) continue;
+        deepest = k;
+        most = depth;
       }
       if (nInside == 0) continue;
       const Vec<Dim>& place = fluid.points[deepest];
@@ -136,7 +142,7 @@ void checkFluidOutsideWalls(const std::vector<FluidFill<Dim>>& fluids,
                        "the deepest at ({:g}), {:g} m behind its surface",
                        at(wall.settings.node, wall.settings.regionKey()).where(), nInside,
                        fluid.points.size(), fluid.settings.name, wall.settings.name,
-                       fmt::join(place.components, ", "), wall.solid.depth(distances[deepest])),
+                       fmt::join(place.components, ", "), most),
            fmt::format("take the solid out of the fluid's region, e.g. {{ {} = [\"{}\", \"{}\"] }}",
                        wall.solid.isOutside ? "intersection" : "difference",
                        fluid.settings.region.empty() ? "everything" : fluid.settings.region,

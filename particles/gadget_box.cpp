@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/gadget_box.hpp"
 
+#include "particles/parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,32 +54,39 @@ GadgetBox gadgetBox(const Scene<Dim>& scene) {
 }
 
 template <int Dim>
-std::vector<double> gadgetCoordinates(const Scene<Dim>& scene, const GadgetBox& box,
-                                      bool& changed) {
-  const auto positions = scene.particles[field::position];
-  std::vector<double> rows(3 * positions.size(), 0.0);
-  bool anyChanged = false;
-  const auto n = static_cast<std::ptrdiff_t>(positions.size());
-#pragma omp parallel for schedule(static) reduction(|| : anyChanged)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+void gadgetCoordinates(std::span<const Vec<Dim>> positions, const GadgetBox& box, std::size_t first,
+                       std::span<double> rows) {
+  forEachIndex(rows.size() / 3, [&](std::size_t i) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      rows[3 * i + axis] = axis < Dim ? folded(positions[first + i][static_cast<int>(axis)],
+                                               box.shift[axis], box.size[axis])
+                                      : 0.0;
+  });
+}
+
+template <int Dim>
+bool changesCoordinates(std::span<const Vec<Dim>> positions, const GadgetBox& box) {
+  return std::ranges::any_of(positions, [&](const Vec<Dim>& x) {
     for (int a = 0; a < Dim; ++a) {
       const auto axis = static_cast<std::size_t>(a);
-      const double y = folded(positions[i][a], box.shift[axis], box.size[axis]);
-      rows[3 * i + axis] = y;
-      anyChanged =
-          anyChanged || y != positions[i][a] || std::signbit(y) != std::signbit(positions[i][a]);
+      const double y = folded(x[a], box.shift[axis], box.size[axis]);
+      if (y != x[a] || std::signbit(y) != std::signbit(x[a])) return true;
     }
-  }
-  changed = anyChanged;
-  return rows;
+    return false;
+  });
 }
 
 template GadgetBox gadgetBox(const Scene<1>&);
 template GadgetBox gadgetBox(const Scene<2>&);
 template GadgetBox gadgetBox(const Scene<3>&);
-template std::vector<double> gadgetCoordinates(const Scene<1>&, const GadgetBox&, bool&);
-template std::vector<double> gadgetCoordinates(const Scene<2>&, const GadgetBox&, bool&);
-template std::vector<double> gadgetCoordinates(const Scene<3>&, const GadgetBox&, bool&);
+template void gadgetCoordinates(std::span<const Vec<1>>, const GadgetBox&, std::size_t,
+                                std::span<double>);
+template bool changesCoordinates(std::span<const Vec<1>>, const GadgetBox&);
+template void gadgetCoordinates(std::span<const Vec<2>>, const GadgetBox&, std::size_t,
+                                std::span<double>);
+template bool changesCoordinates(std::span<const Vec<2>>, const GadgetBox&);
+template void gadgetCoordinates(std::span<const Vec<3>>, const GadgetBox&, std::size_t,
+                                std::span<double>);
+template bool changesCoordinates(std::span<const Vec<3>>, const GadgetBox&);
 
 }  // namespace plenum

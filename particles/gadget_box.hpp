@@ -4,7 +4,8 @@
 #include "particles/scene.hpp"
 
 #include <array>
-#include <vector>
+#include <cstddef>
+#include <span>
 
 namespace plenum {
 
@@ -21,8 +22,13 @@ struct GadgetBox {
 template <int Dim>
 GadgetBox gadgetBox(const Scene<Dim>& scene);
 
-/// Rows (x, y, z) in the box. `changed` tells whether any coordinate differs from the scene's.
+/// Rows (x, y, z) in the box of the particles from `first` on, as many as `rows` has room for.
 template <int Dim>
-std::vector<double> gadgetCoordinates(const Scene<Dim>& scene, const GadgetBox& box, bool& changed);
+void gadgetCoordinates(std::span<const Vec<Dim>> positions, const GadgetBox& box, std::size_t first,
+                       std::span<double> rows);
+
+/// Whether any coordinate in the box differs from the scene's.
+template <int Dim>
+bool changesCoordinates(std::span<const Vec<Dim>> positions, const GadgetBox& box);
 
 }  // namespace plenum

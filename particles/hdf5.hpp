@@ -6,6 +6,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -88,6 +89,20 @@ class Group {
   void write(const std::string& name, std::span<const T> values, int columns = 1) const {
     writeRaw(name, typeOf<T>(), values.data(), shapeFor(values.size(), columns));
   }
+  /// The same for numbers that stand in memory nowhere: fill(first row, rows) makes some rows at a
+  /// time.
+  template <class T, class Fill>
+  void writePieces(const std::string& name, std::size_t nRows, int columns, Fill&& fill) const {
+    const auto width = static_cast<std::size_t>(columns);
+    Handle set = createDataset(name, typeOf<T>(), shapeFor(nRows * width, columns), false);
+    std::vector<T> piece;
+    for (std::size_t first = 0; first < nRows; first += rowsPerPiece) {
+      piece.resize(std::min(rowsPerPiece, nRows - first) * width);
+      fill(first, std::span<T>(piece));
+      writeRows(name, set, typeOf<T>(), piece.data(), {first, piece.size() / width});
+    }
+    finish(name, set);
+  }
   /// The same in gzip-compressed chunks.
   template <class T>
   void writeCompressed(const std::string& name, std::span<const T> values) const {
@@ -144,6 +159,8 @@ class Group {
   [[noreturn]] void fail(const std::string& name, const std::string& what) const;
 
  private:
+  static constexpr std::size_t rowsPerPiece = 1u << 16;
+
   std::vector<std::string> readAllTexts(const std::string& name, std::size_t n) const;
   static std::vector<hsize_t> shapeFor(std::size_t n, int columns);
   std::string pathOf(const std::string& name) const;
@@ -152,6 +169,15 @@ class Group {
   void checkShape(const std::string& name, const std::vector<hsize_t>& wanted) const;
   void writeRaw(const std::string& name, hid_t type, const void* data,
                 const std::vector<hsize_t>& shape, bool compressed = false) const;
+  Handle createDataset(const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
+                       bool compressed) const;
+  struct Rows {
+    hsize_t first;
+    hsize_t count;
+  };
+  void writeRows(const std::string& name, const Handle& set, hid_t type, const void* data,
+                 Rows rows) const;
+  void finish(const std::string& name, Handle& set) const;
   void readRaw(const std::string& name, hid_t type, void* data) const;
   void setRaw(const std::string& name, hid_t type, const void* data, std::size_t n,
               const std::string& of) const;

@@ -32,22 +32,48 @@ constexpr hsize_t chunkLength = 1u << 16;
 
 }  // namespace
 
-void Group::writeRaw(const std::string& name, hid_t type, const void* data,
-                     const std::vector<hsize_t>& shape, bool compressed) const {
+Handle Group::createDataset(const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
+                            bool compressed) const {
   const Handle dataSpace = space(shape);
   const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties.get(), false);  // equal contents, equal files
   if (compressed && shape[0] > 0) {
     const hsize_t chunk = std::min(shape[0], chunkLength);
     H5Pset_chunk(properties.get(), 1, &chunk);
-    H5Pset_deflate(properties.get(), 6);
+    H5Pset_deflate(properties.get(), 1);
   }
   Handle set(H5Dcreate2(handle_.get(), name.c_str(), type, dataSpace.get(), H5P_DEFAULT,
                         properties.get(), H5P_DEFAULT),
              H5Dclose);
-  if (!set.valid() || H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0 ||
-      !set.close())
+  if (!set.valid()) fail(name, "cannot be written");
+  return set;
+}
+
+void Group::writeRaw(const std::string& name, hid_t type, const void* data,
+                     const std::vector<hsize_t>& shape, bool compressed) const {
+  Handle set = createDataset(name, type, shape, compressed);
+  if (H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
     fail(name, "cannot be written");
+  finish(name, set);
+}
+
+void Group::writeRows(const std::string& name, const Handle& set, hid_t type, const void* data,
+                      Rows rows) const {
+  const Handle inFile(H5Dget_space(set.get()), H5Sclose);
+  hsize_t start[2] = {0, 0};
+  hsize_t count[2] = {1, 1};
+  H5Sget_simple_extent_dims(inFile.get(), count, nullptr);
+  start[0] = rows.first;
+  count[0] = rows.count;
+  const Handle inMemory(H5Screate_simple(H5Sget_simple_extent_ndims(inFile.get()), count, nullptr),
+                        H5Sclose);
+  if (H5Sselect_hyperslab(inFile.get(), H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 ||
+      H5Dwrite(set.get(), type, inMemory.get(), inFile.get(), H5P_DEFAULT, data) < 0)
+    fail(name, "cannot be written");
+}
+
+void Group::finish(const std::string& name, Handle& set) const {
+  if (!set.close()) fail(name, "cannot be written");
 }
 
 void Group::writeText(const std::string& name, const std::string& text) const {

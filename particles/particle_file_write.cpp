@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 #include <span>
 #include <string>
@@ -63,16 +64,20 @@ void writeAbsent(const Group& group, const Scene<Dim>& scene) {
     const FieldInfo& info = infoOf(id);
     const std::string name(info.fileName);
     if (id == FieldId::id) {
-      std::vector<std::uint64_t> ids(n);
-      const auto fluidsEnd = ids.begin() + static_cast<std::ptrdiff_t>(particles.nFluid());
-      std::iota(fluidsEnd, ids.end(), std::uint64_t{1});
-      std::iota(ids.begin(), fluidsEnd, std::uint64_t{particles.nWalls() + 1});
-      group.write<std::uint64_t>(name, ids);
+      const std::size_t nFluid = particles.nFluid();
+      group.writePieces<std::uint64_t>(
+          name, n, 1, [&](std::size_t first, std::span<std::uint64_t> ids) {
+            for (std::uint64_t& number : ids) {
+              number = first < nFluid ? particles.nWalls() + first + 1 : first - nFluid + 1;
+              ++first;
+            }
+          });
     } else {
       const int columns = info.rank == Rank::vector ? 3 : 1;
       const double value = id == FieldId::smoothingLength ? scene.info.smoothingLength : 0.0;
-      group.write<double>(name, std::vector<double>(n * static_cast<std::size_t>(columns), value),
-                          columns);
+      group.writePieces<double>(name, n, columns, [&](std::size_t, std::span<double> rows) {
+        std::ranges::fill(rows, value);
+      });
     }
     describe(group, info);
   }
@@ -81,11 +86,15 @@ void writeAbsent(const Group& group, const Scene<Dim>& scene) {
 /// Writes /PartType0 and returns the names of its datasets but Coordinates.
 template <int Dim>
 std::vector<std::string> writeParticles(const Group& group, const Scene<Dim>& scene,
-                                        std::span<const double> coordinates) {
+                                        const GadgetBox& box) {
   const ParticleSet<Dim>& particles = scene.particles;
+  const std::span<const Vec<Dim>> positions = particles[field::position];
   std::vector<std::string> names{"Velocities",     "Masses",          "Density",
                                  "InternalEnergy", "SmoothingLength", "ParticleIDs"};
-  group.write<double>("Coordinates", coordinates, 3);
+  group.writePieces<double>("Coordinates", positions.size(), 3,
+                            [&](std::size_t first, std::span<double> rows) {
+                              gadgetCoordinates(positions, box, first, rows);
+                            });
   describe(group, infoOf(FieldId::position));
   particles.forEachField([&](const FieldInfo& info, auto values) {
     if (!info.isState || info.id == FieldId::position) return;
@@ -96,7 +105,11 @@ std::vector<std::string> writeParticles(const Group& group, const Scene<Dim>& sc
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   });
   writeAbsent(group, scene);
-  group.write<std::uint8_t>("ParticleTypes", particleTypes(particles));
+  group.writePieces<std::uint8_t>("ParticleTypes", particles.size(), 1,
+                                  [&](std::size_t first, std::span<std::uint8_t> types) {
+                                    for (std::uint8_t& type : types)
+                                      type = first++ < particles.nFluid() ? 0 : 1;
+                                  });
   group.setText("Description", "0 fluid, 1 wall", "ParticleTypes");
   names.push_back("ParticleTypes");
   group.setText("KernelName", scene.info.kernel, "SmoothingLength");
@@ -113,11 +126,15 @@ void writeVtk(const Group& vtk, const Group& partType0, const ParticleSet<Dim>& 
   vtk.setAsciiText("Type", "UnstructuredGrid");
   for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
     vtk.write<std::int64_t>(name, std::array<std::int64_t, 1>{n});
-  std::vector<std::int64_t> offsets(particles.size() + 1);
-  std::iota(offsets.begin(), offsets.end(), std::int64_t{0});
-  vtk.write<std::int64_t>("Offsets", offsets);
-  vtk.write<std::int64_t>("Connectivity", std::span(offsets).first(particles.size()));
-  vtk.write<std::uint8_t>("Types", std::vector<std::uint8_t>(particles.size(), 1));
+  const auto count = [](std::size_t first, std::span<std::int64_t> numbers) {
+    std::iota(numbers.begin(), numbers.end(), static_cast<std::int64_t>(first));
+  };
+  vtk.writePieces<std::int64_t>("Offsets", particles.size() + 1, 1, count);
+  vtk.writePieces<std::int64_t>("Connectivity", particles.size(), 1, count);
+  vtk.writePieces<std::uint8_t>("Types", particles.size(), 1,
+                                [](std::size_t, std::span<std::uint8_t> types) {
+                                  std::ranges::fill(types, std::uint8_t{1});
+                                });
   if (ownPoints) {
     const auto rows = rowsOf(particles, infoOf(FieldId::position), particles[field::position]);
     vtk.write("Points", rows.values, 3);
@@ -190,9 +207,9 @@ void writeParticleFile(const std::filesystem::path& path, const Scene<Dim>& scen
     writeHeader(root.create("Header"), Dim, scene.particles.size(), scene.info.time, box);
     writeUnits(root.create("Units"));
     const Group partType0 = root.create("PartType0");
-    bool shifted = false;
-    const auto names = writeParticles(partType0, scene, gadgetCoordinates(scene, box, shifted));
-    writeVtk(root.create("VTKHDF"), partType0, scene.particles, names, shifted);
+    const auto names = writeParticles(partType0, scene, box);
+    const bool ownPoints = changesCoordinates<Dim>(scene.particles[field::position], box);
+    writeVtk(root.create("VTKHDF"), partType0, scene.particles, names, ownPoints);
     writePlenum(root.create("Plenum"), scene, box);
   }
   file.trim(hdf.close());

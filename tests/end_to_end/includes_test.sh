@@ -22,7 +22,7 @@ expect engine particles
 expect geometry particles
 expect ictools geometry engine particles
 expect solver engine particles
-expect bench solver engine particles
+expect bench solver ictools geometry engine particles
 
 leak=$(grep -rnE '#include [<"](CGAL|gmsh)' particles engine ictools solver bench --include='*.?pp' ||
   true)

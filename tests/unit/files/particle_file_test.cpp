@@ -64,6 +64,15 @@ TYPED_TEST(ParticleFile, RoundTripWithoutWallsOrWithoutFluid) {
   expectRoundTrip(sampleScene<dim>(0, 1, 1, 0));
 }
 
+// Files are written in pieces of 65536 rows; here walls begin within the second.
+TYPED_TEST(ParticleFile, RoundTripOfManyPieces) {
+  constexpr int dim = TypeParam::value;
+  expectRoundTrip(sampleScene<dim>(0, 1, 2 * 65536 - 7, 65536 + 9));
+  auto scene = sampleScene<dim>(-1, 1, 65536, 65536);
+  scene.particles.remove({FieldId::id, FieldId::velocity, FieldId::smoothingLength});
+  expectRoundTrip(scene);
+}
+
 TYPED_TEST(ParticleFile, OnlyTheFieldsOfTheSetComeBack) {
   constexpr int dim = TypeParam::value;
   auto scene = sampleScene<dim>();
