@@ -106,7 +106,8 @@ void estimateDraft(Draft<Dim>& draft, CheckReport& report) {
   }
   if (isCounted) {
     nFluid = nWalls = 0;
-    for (const auto& fluid : draft.fluids) nFluid += static_cast<double>(fluid.points.size());
+    for (const auto& fluid : draft.fluids)  // `assemble` has taken the points, if it came so far
+      nFluid += static_cast<double>(std::max(fluid.nParticles, fluid.points.size()));
     for (const auto& wall : draft.walls) nWalls += static_cast<double>(wall.points.size());
   }
   report.estimate =

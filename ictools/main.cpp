@@ -17,6 +17,8 @@
 
 #include <filesystem>
 #include <iostream>
+#include <limits>
+#include <optional>
 #include <type_traits>
 
 using namespace plenum;
@@ -75,7 +77,7 @@ class RelaxationProgress {
 
  private:
   void show(const RelaxationState& state) {
-    if (!progress_) progress_.emplace("relaxing", 0, quiet_);
+    if (!progress_) progress_.emplace("relaxing", std::numeric_limits<double>::infinity(), quiet_);
     progress_->update(
         0, fmt::format("iteration {}: scatter {:.3f} %, moves {:.4f} d_ref", state.iteration,
                        100 * state.scatter, state.iteration == 0 ? 0 : state.move));
@@ -122,16 +124,12 @@ fs::path outputPath(const Options& options, const char* ending) {
   return path;
 }
 
-/// Judges the scene, writes the report beside the file and its figures into the scene.
-template <int Dim>
-void writeReport(const fs::path& path, Generated<Dim>& made, bool quiet) {
-  const Report report = reportOn(made.scene, made.profiles);
-  for (const auto& figure : figuresOf(report)) made.scene.info.quality.push_back(figure);
+/// Beside the particle file.
+void writeReport(const fs::path& path, const Report& report) {
   const auto beside = [&](const char* ending) { return fs::path(path).replace_extension(ending); };
   writeTextFile(beside(".report.txt"), printed(report));
   writeTextFile(beside(".report.json"), json(report));
   drawReport(beside(".report.png"), report);
-  if (!quiet) std::cout << printed(report);
 }
 
 int runGenerate(const Options& options) {
@@ -142,8 +140,14 @@ int runGenerate(const Options& options) {
     auto& scene = made.scene;
     if (made.relaxation) relaxing.end(*made.relaxation);
     if (!options.quiet) std::cout << describe(scene);
-    if (!options.noReport) writeReport(path, made, options.quiet);
+    std::optional<Report> report;
+    if (!options.noReport) {
+      report = reportOn(scene, made.profiles);
+      for (const auto& figure : figuresOf(*report)) scene.info.quality.push_back(figure);
+      if (!options.quiet) std::cout << printed(*report);
+    }
     writeParticleFile(path, scene);
+    if (report) writeReport(path, *report);
     if (options.quiet) return;
     std::cout << fmt::format("  {}: {:.2f} MB\nnext: plenum-sph run {}\n", path.string(),
                              static_cast<double>(fs::file_size(path)) / 1e6, path.string());

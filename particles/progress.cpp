@@ -65,11 +65,11 @@ void Progress::update(double done, const std::string& extra) {
   if (!isDue(now, fraction)) return;
   const double elapsed = now - start_;
   std::string line = label_ + ":";
-  if (total_ > 0) line += fmt::format(" {:.0f} %", std::floor(100 * fraction));
+  if (std::isfinite(total_)) line += fmt::format(" {:.0f} %", std::floor(100 * fraction));
   // A first tenth of a second, or nothing done yet, says nothing about the rest.
   if (fraction > 0 && fraction < 1 && elapsed >= redrawEvery)
     line += ", " + printedDuration(elapsed * (1 - fraction) / fraction) + " left";
-  if (!extra.empty()) line += (total_ > 0 ? ", " : " ") + extra;
+  if (!extra.empty()) line += (std::isfinite(total_) ? ", " : " ") + extra;
   print(line, false);
   lastTime_ = now;
   lastFraction_ = fraction;

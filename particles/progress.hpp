@@ -22,8 +22,8 @@ class Progress {
     std::function<double()> now;  ///< seconds, from any start
   };
 
-  /// `total` is the amount of work in any unit (steps, seconds of simulated time, particles); zero
-  /// if nobody knows.
+  /// `total` is the amount of work in any unit (steps, seconds of simulated time, particles);
+  /// infinite if nobody knows.
   Progress(std::string label, double total, bool quiet = false);
   Progress(std::string label, double total, Output output);
   ~Progress();  ///< ends a line that stands open on the terminal
