@@ -49,7 +49,7 @@ Arrangement<Dim>::Arrangement(const std::vector<FluidFill<Dim>>& fluids,
                               bool adaptive)
     : fluids_(fluids),
       smoothing_{KernelId::named(frame.solver.kernel), frame.smoothingLength(), adaptive},
-      lengthOverSpacing_(frame.smoothingLength() /
+      lengthOverSpacing_(frame.smoothingLength() * fluids.front().lengthScale /
                          spacingOf<Dim>(fluids.front().lattice.cellVolume())) {
   const auto fixed = surroundings(fluids, walls, frame, lengthOverSpacing_);
   std::size_t nFluid = 0;

@@ -44,7 +44,7 @@ void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
     pressures[k] = here.pressure;
     masses[k] = hasEqualMasses ? fluid.particleMass : here.density * fluid.particleVolume;
     materials[k] = material;
-    lengths[k] = frame.smoothingLength();
+    lengths[k] = frame.smoothingLength() * fluid.lengthScale;
     if (hasEqualMasses)
       lengths[k] *=
           std::pow(fluid.particleMass / here.density / fluid.lattice.cellVolume(), 1.0 / Dim);

@@ -53,6 +53,7 @@ bool draftFluids(const CaseSettings& settings, const Regions<Dim>& regions,
       draft.fluids.push_back(
           prepareFluid(fluid, settings, regions, folder, draft.frame, findings.warner()));
     });
+  if (isSound) matchMasses(draft.fluids, draft.frame);
   return isSound && findings.attempt([&] { checkMemory(draft.fluids, draft.frame); });
 }
 

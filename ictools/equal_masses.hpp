@@ -6,6 +6,17 @@
 
 namespace plenum {
 
+/// The fluid that `equal_mass_with` names.
+template <int Dim>
+const FluidFill<Dim>& equalMassPartner(const std::vector<FluidFill<Dim>>& fluids,
+                                       const FluidFill<Dim>& fluid);
+
+/// Gives each fluid that says `equal_mass_with` a lattice whose cells hold the mass of the other
+/// one's cells (fitted to periods as they are). It is not fitted itself: a blob in a tunnel touches
+/// no periodic face.
+template <int Dim>
+void matchMasses(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame);
+
 /// Fills a fluid that has a profile with particles of equal mass, that of a lattice cell at the
 /// reference density: as many as the mass in the region asks for, at random places whose density is
 /// that of the profile. Places are drawn one for each particle's share of the mass along the rows

@@ -223,6 +223,14 @@ void checkNotEmpty(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame) {
 }  // namespace
 
 template <int Dim>
+void FluidFill<Dim>::placeLattice() {
+  if (settings.latticeOrigin.empty()) return lattice.startAt(box.lower);
+  Vec<Dim> origin;
+  for (int a = 0; a < Dim; ++a) origin[a] = settings.latticeOrigin[static_cast<std::size_t>(a)];
+  lattice.placeAt(origin);
+}
+
+template <int Dim>
 FluidFill<Dim> prepareFluid(const FluidSettings& settings, GeometryPtr<Dim> region,
                             DensityProfilePtr<Dim> profile, const SceneFrame<Dim>& frame,
                             const Warn& warn) {
@@ -235,13 +243,7 @@ FluidFill<Dim> prepareFluid(const FluidSettings& settings, GeometryPtr<Dim> regi
   fluid.volume = fluid.region ? fluid.region->volume() : Measure{frame.domain.volume(), 0};
   checkCount(fluid);
   if (settings.lattice != "random") fluid.lattice.fitTo(frame.domain);
-  if (settings.latticeOrigin.empty()) {
-    fluid.lattice.startAt(fluid.box.lower);
-  } else {
-    Vec<Dim> origin;
-    for (int a = 0; a < Dim; ++a) origin[a] = settings.latticeOrigin[static_cast<std::size_t>(a)];
-    fluid.lattice.placeAt(origin);
-  }
+  fluid.placeLattice();
   return fluid;
 }
 
@@ -272,6 +274,11 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
                                  ? fluid.volume.value / static_cast<double>(fluid.points.size())
                                  : fluid.lattice.cellVolume();
   }
+  for (auto& fluid : fluids) {
+    if (fluid.settings.equalMassWith.empty()) continue;
+    const FluidFill<Dim>& other = equalMassPartner(fluids, fluid);
+    fluid.particleVolume = other.particleVolume * (other.settings.density / fluid.settings.density);
+  }
 }
 
 template <int Dim>
@@ -282,6 +289,9 @@ std::vector<Vec<Dim>> allPoints(const std::vector<FluidFill<Dim>>& fluids) {
   return points;
 }
 
+template struct FluidFill<1>;
+template struct FluidFill<2>;
+template struct FluidFill<3>;
 template FluidFill<1> prepareFluid(const FluidSettings&, GeometryPtr<1>, DensityProfilePtr<1>,
                                    const SceneFrame<1>&, const Warn&);
 template void fillFluids(std::vector<FluidFill<1>>&, const SceneFrame<1>&);

@@ -25,7 +25,11 @@ struct FluidFill {
   double particleMass = 0;     ///< of all particles of a profile with equal masses [kg]
   std::size_t nCovered = 0;    ///< places left to an earlier fluid
   std::size_t nParticles = 0;  ///< counted when `assemble` takes the points
+  double lengthScale = 1;      ///< of its spacing and smoothing length over those of the scene
   bool isCut = false;          ///< the region reaches beyond periodic faces
+
+  /// Puts the lattice where the settings want it, or by the half-spacing rule.
+  void placeLattice();
 
   /// That a particle has if the fluid fills what is its own [m^d].
   double meanVolume() const {

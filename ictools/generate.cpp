@@ -39,6 +39,7 @@ std::vector<FluidFill<Dim>> prepareFluids(const CaseSettings& settings, const Re
   std::vector<FluidFill<Dim>> fluids;
   for (const FluidSettings& fluid : readFluids(settings))
     fluids.push_back(prepareFluid(fluid, settings, regions, folder, frame, warn));
+  matchMasses(fluids, frame);
   return fluids;
 }
 

@@ -111,6 +111,21 @@ void checkFluid(const FluidSettings& fluid, int dimension) {
     at(fluid.node, "jitter").fail("has no use: particles of equal mass start from random places");
 }
 
+void checkEqualMasses(const FluidSettings& fluid, const std::vector<FluidSettings>& all) {
+  if (fluid.equalMassWith.empty()) return;
+  const CaseNode& node = at(fluid.node, "equal_mass_with");
+  const auto other = std::ranges::find(all, fluid.equalMassWith, &FluidSettings::name);
+  if (other == all.end()) {
+    std::vector<std::string> names;
+    for (const FluidSettings& one : all) names.push_back(one.name);
+    node.fail(fmt::format("no such fluid; known: {}", fmt::join(names, ", ")));
+  }
+  if (!other->equalMassWith.empty())
+    node.fail("that fluid takes its mass from another one itself; name that one");
+  if (fluid.mass == "exact" || fluid.profile || fluid.lattice == "random")
+    node.fail("goes with a lattice, one density and mass = \"cell\" only");
+}
+
 void checkWall(const WallSettings& wall, int dimension) {
   if (wall.region.empty() == wall.outside.empty())
     wall.node.fail(
@@ -156,6 +171,10 @@ const Section<FluidSettings>& fluidSection() {
                 "cell: density times the lattice's cell; exact: density times the region's exact "
                 "volume over the number of particles",
                 {"cell", "exact"})
+          .text(
+              "equal_mass_with", &S::equalMassWith,
+              "another fluid: this one's lattice becomes finer or coarser than d_ref, so that its "
+              "particles have the mass of that one's")
           .vector("velocity", &S::velocity, "m/s", "initial velocity; absent: zero")
           .number("pressure", &S::pressure, "Pa m^(3-d)", Range::any(),
                   "initial pressure, density follows; absent: solver.background_pressure")
@@ -227,6 +246,7 @@ std::vector<FluidSettings> readFluids(const CaseSettings& settings) {
   }
   if (fluids.empty()) settings.fluids->fail("is empty; a case needs at least one [[fluid]]");
   nameAll(fluids, "fluid");
+  for (const FluidSettings& fluid : fluids) checkEqualMasses(fluid, fluids);
   return fluids;
 }
 

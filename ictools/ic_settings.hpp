@@ -59,6 +59,7 @@ struct FluidSettings {
   double jitter = 0;  ///< [d_ref]
   double density = 1;
   std::string mass = "cell";
+  std::string equalMassWith;  ///< the fluid whose particles have the same mass; "": spacing d_ref
   std::vector<double> velocity;
   std::optional<double> pressure;
   std::optional<HydrostaticSettings> hydrostatic;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ictools/density_profile.hpp"
+#include "ictools/equal_masses.hpp"
 #include "ictools/fluids.hpp"
 #include "ictools/regions.hpp"
 

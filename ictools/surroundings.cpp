@@ -15,7 +15,7 @@ namespace {
 /// The lattice of a fluid with another spacing; the same points where the spacing is the same.
 template <int Dim>
 Lattice<Dim> continued(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double spacing) {
-  if (spacing == frame.spacing) return fluid.lattice;
+  if (spacing == frame.spacing * fluid.lengthScale) return fluid.lattice;
   const std::string& name =
       fluid.settings.lattice == "random" ? latticeNames(Dim).front() : fluid.settings.lattice;
   Lattice<Dim> lattice(name, spacing);
@@ -67,7 +67,8 @@ struct Shell {
 /// From the particles nearest to the surface: the finest of their spacings, the largest support.
 template <int Dim>
 Shell shellOf(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double lengthOverSpacing) {
-  if (!fluid.settings.spacingFollowsDensity()) return {frame.support(), frame.spacing};
+  if (!fluid.settings.spacingFollowsDensity())
+    return {frame.support() * fluid.lengthScale, frame.spacing * fluid.lengthScale};
   const auto volumes = targetVolumes<Dim>(fluid, fluid.points, frame.domain);
   const auto distances = signedDistances<Dim>(*fluid.region, fluid.points);
   double least = std::numeric_limits<double>::infinity(), most = 0;
