@@ -2,6 +2,7 @@
 #include "ictools/relaxation.hpp"
 
 #include "ictools/arrangement.hpp"
+#include "particles/parallel.hpp"
 
 #include <fmt/format.h>
 
@@ -32,6 +33,8 @@ class Method {
  public:
   virtual ~Method() = default;
   virtual void plan(Arrangement<Dim>& arrangement, const RelaxationState& state) = 0;
+  /// The scatter falls no longer: another way to go on, if there is one.
+  virtual bool changeCourse() { return false; }
 };
 
 /// A gas with pressure V_j W_ij and friction. With spacing d = V^(1/Dim) the acceleration in
@@ -42,10 +45,16 @@ template <int Dim>
 class Packing final : public Method<Dim> {
  public:
   void plan(Arrangement<Dim>& arrangement, const RelaxationState&) override {
-    constexpr double step = 0.5, kept = 0.85;
+    constexpr double kept = 0.85;
+    const double step = 1 / (1 + stiffness_);
     auto& particles = arrangement.particles();
     const auto velocity = particles[field::velocity];
     const auto volume = particles[field::mass];
+    const auto pressure = particles[field::pressure];
+    if (stiffness_ != 1)
+      forEachIndex(arrangement.nFluid(), [&](std::size_t i) {
+        pressure[i] = std::max(0.0, 1 + stiffness_ * (pressure[i] - 1));
+      });
     arrangement.forEachSum(
         NeighbourSum::pressure, field::force, [&](std::size_t i, const Vec<Dim>& force) {
           const double d = spacingOf<Dim>(volume[i]);
@@ -53,6 +62,16 @@ class Packing final : public Method<Dim> {
               limited(kept * velocity[i] + step * d * d / volume[i] * force, furthestMove * d);
         });
   }
+
+  bool changeCourse() override {
+    if (stiffness_ > 1) return false;
+    stiffness_ = stiff;
+    return true;
+  }
+
+ private:
+  static constexpr double stiff = 10;
+  double stiffness_ = 1;
 };
 
 /// Moves along the push of weighted Voronoi tessellations. Steps begin at a third of a spacing for
@@ -89,15 +108,14 @@ class Ending {
   explicit Ending(const RelaxSettings& settings) : settings_(settings) {}
 
   /// Sets the result's reason when it is time to end.
-  bool isReached(RelaxationResult& result) const {
+  template <int Dim>
+  bool isReached(RelaxationResult& result, Method<Dim>& method) {
     const RelaxationState& now = result.history.back();
-    if (settings_.tolerance) {
-      if (now.scatter <= *settings_.tolerance && now.move <= calm)
-        return end(result, true,
-                   fmt::format("scatter {:.4g} <= {:g}", now.scatter, *settings_.tolerance));
-    } else if (hasStalled(result.history)) {
-      return end(result, true, "the scatter falls no longer");
-    }
+    if (settings_.tolerance && now.scatter <= *settings_.tolerance && now.move <= calm)
+      return end(result, true,
+                 fmt::format("scatter {:.4g} <= {:g}", now.scatter, *settings_.tolerance));
+    if (hasStalled(result.history) && !mayGoOn(result, method))
+      return end(result, !settings_.tolerance, "the scatter falls no longer");
     if (now.iteration < settings_.maxIterations) return false;
     return end(result, !settings_.tolerance, fmt::format("{} iterations", now.iteration));
   }
@@ -113,18 +131,28 @@ class Ending {
     return true;
   }
 
-  static bool hasStalled(const std::vector<RelaxationState>& history) {
-    if (history.size() <= patience || history.back().move > calm) return false;
+  template <int Dim>
+  bool mayGoOn(const RelaxationResult& result, Method<Dim>& method) {
+    if (!method.changeCourse()) return false;
+    since_ = result.history.size();
+    return true;
+  }
+
+  bool hasStalled(const std::vector<RelaxationState>& history) const {
+    // Particles that still move far get twice as long.
+    const int patient = history.back().move > calm ? 2 * patience : patience;
+    if (history.size() <= since_ + static_cast<std::size_t>(patient)) return false;
     const auto best = [](auto first, auto last) {
       return std::min_element(first, last,
                               [](const auto& a, const auto& b) { return a.scatter < b.scatter; })
           ->scatter;
     };
-    return best(history.end() - patience, history.end()) >
-           (1 - worth) * best(history.begin(), history.end() - patience);
+    return best(history.end() - patient, history.end()) >
+           (1 - worth) * best(history.begin(), history.end() - patient);
   }
 
   RelaxSettings settings_;
+  std::size_t since_ = 0;  // iterations before the last change of course
 };
 
 /// Puts the points back into their fluids.
@@ -150,7 +178,7 @@ RelaxationResult relax(std::vector<FluidFill<Dim>>& fluids, const std::vector<Wa
         return fluid.settings.spacingFollowsDensity() || fluid.lengthScale != 1;
       });
   Arrangement<Dim> arrangement(fluids, walls, frame, adaptive);
-  const Ending ending(settings);
+  Ending ending(settings);
   RelaxationResult result;
   result.best.scatter = std::numeric_limits<double>::infinity();
   std::vector<Vec<Dim>> best;
@@ -165,7 +193,7 @@ RelaxationResult relax(std::vector<FluidFill<Dim>>& fluids, const std::vector<Wa
     }
     result.history.push_back(state);
     if (watch) watch(state);
-    if (ending.isReached(result)) break;
+    if (ending.isReached(result, *method)) break;
     method->plan(arrangement, state);
     move = arrangement.move();
     arrangement.retarget();
