@@ -30,6 +30,20 @@ struct KernelGradientSum {
   }
 };
 
+/// -sum_j V_i V_j (p_i grad_i W(h_i) + p_j grad_i W(h_j))   [N]: the force of
+/// PressureDensityProduct where smoothing lengths differ, each pressure with the kernel that it was
+/// found with.
+struct OwnKernelPressure {
+  static constexpr FieldSet reads{field::volume, field::pressure};
+  static constexpr FieldSet writes{field::force};
+
+  template <class Real, int Dim>
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
+    i.force -=
+        ij.i.volume * ij.j.volume * (ij.i.pressure * ij.ofI.F + ij.j.pressure * ij.ofJ.F) * ij.r;
+  }
+};
+
 /// sum_j h^d W(r_ij, h) r_ij/|r_ij|, h = (h_i + h_j)/2: the push of weighted Voronoi tessellations
 /// without the tessellation. Diehl et al. 2015, doi 10.1017/pasa.2015.50; with the kernel as the
 /// weight: Arth et al. 2019, arXiv 1907.11250.

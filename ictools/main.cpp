@@ -39,6 +39,9 @@ struct Options {
   bool noReport = false;
 };
 
+/// The report card takes ten times as long as making the particles, and more memory.
+constexpr std::size_t mostReported = 2'000'000;
+
 constexpr const char* examples = R"(
 Examples:
   plenum-ic check cases/rotating_shaft.toml --json findings.json
@@ -141,7 +144,12 @@ int runGenerate(const Options& options) {
     if (made.relaxation) relaxing.end(*made.relaxation);
     if (!options.quiet) std::cout << describe(scene);
     std::optional<Report> report;
-    if (!options.noReport) {
+    const bool isLarge = scene.particles.size() > mostReported;
+    if (isLarge && !options.quiet)
+      std::cout << fmt::format("no report card for more than {} particles: plenum-ic report {} "
+                               "makes one\n",
+                               mostReported, path.string());
+    if (!options.noReport && !isLarge) {
       report = reportOn(scene, made.profiles);
       for (const auto& figure : figuresOf(*report)) scene.info.quality.push_back(figure);
       if (!options.quiet) std::cout << printed(*report);

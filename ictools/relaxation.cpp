@@ -33,28 +33,27 @@ class Method {
  public:
   virtual ~Method() = default;
   virtual void plan(Arrangement<Dim>& arrangement, const RelaxationState& state) = 0;
-  /// The scatter falls no longer: another way to go on, if there is one.
-  virtual bool changeCourse() { return false; }
 };
 
-/// A gas with pressure V_j W_ij and friction. With spacing d = V^(1/Dim) the acceleration in
-/// spacings is -d sum_j V_j (p_i + p_j) grad_i W_ij. Waves then cross about a spacing in an
-/// iteration: the most that an explicit step can carry at usual h/d. Friction is a compromise: more
-/// of it delays the long waves, less lets the short ones ring (docs/initial_conditions.md).
+/// A stiff gas with friction: p = 1 + K (sum_j V_j W_ij/mean - 1). With spacing d = V^(1/Dim) the
+/// acceleration in spacings is -d sum_j V_j (p_i + p_j) grad_i W_ij. Waves then cross about a
+/// spacing in an iteration: the most that an explicit step can carry at usual h/d. The part that is
+/// the same for all orders particles, K evens out their densities: where spacings jump (a blob in a
+/// wind), K = 1 leaves pairs along the jump, 10 leaves none. Friction is a compromise: more of it
+/// delays the long waves, less lets the short ones ring.
 template <int Dim>
 class Packing final : public Method<Dim> {
  public:
   void plan(Arrangement<Dim>& arrangement, const RelaxationState&) override {
-    constexpr double kept = 0.85;
-    const double step = 1 / (1 + stiffness_);
+    constexpr double kept = 0.85, stiffness = 10;
+    constexpr double step = 1 / (1 + stiffness);
     auto& particles = arrangement.particles();
     const auto velocity = particles[field::velocity];
     const auto volume = particles[field::mass];
     const auto pressure = particles[field::pressure];
-    if (stiffness_ != 1)
-      forEachIndex(arrangement.nFluid(), [&](std::size_t i) {
-        pressure[i] = std::max(0.0, 1 + stiffness_ * (pressure[i] - 1));
-      });
+    forEachIndex(arrangement.nFluid(), [&](std::size_t i) {
+      pressure[i] = std::max(0.0, 1 + stiffness * (pressure[i] - 1));
+    });
     arrangement.forEachSum(
         NeighbourSum::pressure, field::force, [&](std::size_t i, const Vec<Dim>& force) {
           const double d = spacingOf<Dim>(volume[i]);
@@ -62,16 +61,6 @@ class Packing final : public Method<Dim> {
               limited(kept * velocity[i] + step * d * d / volume[i] * force, furthestMove * d);
         });
   }
-
-  bool changeCourse() override {
-    if (stiffness_ > 1) return false;
-    stiffness_ = stiff;
-    return true;
-  }
-
- private:
-  static constexpr double stiff = 10;
-  double stiffness_ = 1;
 };
 
 /// Moves along the push of weighted Voronoi tessellations. Steps begin at a third of a spacing for
@@ -108,13 +97,12 @@ class Ending {
   explicit Ending(const RelaxSettings& settings) : settings_(settings) {}
 
   /// Sets the result's reason when it is time to end.
-  template <int Dim>
-  bool isReached(RelaxationResult& result, Method<Dim>& method) {
+  bool isReached(RelaxationResult& result) const {
     const RelaxationState& now = result.history.back();
     if (settings_.tolerance && now.scatter <= *settings_.tolerance && now.move <= calm)
       return end(result, true,
                  fmt::format("scatter {:.4g} <= {:g}", now.scatter, *settings_.tolerance));
-    if (hasStalled(result.history) && !mayGoOn(result, method))
+    if (hasStalled(result.history))
       return end(result, !settings_.tolerance, "the scatter falls no longer");
     if (now.iteration < settings_.maxIterations) return false;
     return end(result, !settings_.tolerance, fmt::format("{} iterations", now.iteration));
@@ -131,17 +119,10 @@ class Ending {
     return true;
   }
 
-  template <int Dim>
-  bool mayGoOn(const RelaxationResult& result, Method<Dim>& method) {
-    if (!method.changeCourse()) return false;
-    since_ = result.history.size();
-    return true;
-  }
-
   bool hasStalled(const std::vector<RelaxationState>& history) const {
     // Particles that still move far get twice as long.
     const int patient = history.back().move > calm ? 2 * patience : patience;
-    if (history.size() <= since_ + static_cast<std::size_t>(patient)) return false;
+    if (history.size() <= static_cast<std::size_t>(patient)) return false;
     const auto best = [](auto first, auto last) {
       return std::min_element(first, last,
                               [](const auto& a, const auto& b) { return a.scatter < b.scatter; })
@@ -152,7 +133,6 @@ class Ending {
   }
 
   RelaxSettings settings_;
-  std::size_t since_ = 0;  // iterations before the last change of course
 };
 
 /// Puts the points back into their fluids.
@@ -178,7 +158,7 @@ RelaxationResult relax(std::vector<FluidFill<Dim>>& fluids, const std::vector<Wa
         return fluid.settings.spacingFollowsDensity() || fluid.lengthScale != 1;
       });
   Arrangement<Dim> arrangement(fluids, walls, frame, adaptive);
-  Ending ending(settings);
+  const Ending ending(settings);
   RelaxationResult result;
   result.best.scatter = std::numeric_limits<double>::infinity();
   std::vector<Vec<Dim>> best;
@@ -193,7 +173,7 @@ RelaxationResult relax(std::vector<FluidFill<Dim>>& fluids, const std::vector<Wa
     }
     result.history.push_back(state);
     if (watch) watch(state);
-    if (ending.isReached(result, *method)) break;
+    if (ending.isReached(result)) break;
     method->plan(arrangement, state);
     move = arrangement.move();
     arrangement.retarget();

@@ -34,7 +34,7 @@ using RelaxationWatch = std::function<void(const RelaxationState&)>;
 /// held (surroundings.hpp). Keeps the state of least scatter. The same for any number of threads.
 ///
 /// Methods, all behind this function:
-///   packing   particles of a gas with p = sum_j V_j W_ij and friction: forces
+///   packing   particles of a stiff gas with friction: forces
 ///             -sum_j V_i V_j (p_i + p_j) grad_i W_ij vanish where particles stand evenly
 ///             (Colagrossi et al. 2012, doi 10.1016/j.cpc.2012.02.032) and inertia carries errors
 ///             over long ways.

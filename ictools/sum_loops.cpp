@@ -54,7 +54,7 @@ TileFunction<Dim, T> sumFunction(const SumChoice& choice) {
       return adaptive ? ofKernel<Real, Dim, Adaptive, KernelSum>(kernel)
                       : ofKernel<Real, Dim, Fixed, KernelSum>(kernel);
     case NeighbourSum::pressure:
-      return adaptive ? ofKernel<Real, Dim, Adaptive, PressureDensityProduct>(kernel)
+      return adaptive ? ofKernel<Real, Dim, Adaptive, OwnKernelPressure>(kernel)
                       : ofKernel<Real, Dim, Fixed, PressureDensityProduct>(kernel);
     case NeighbourSum::voronoi:
       return adaptive ? ofKernel<Real, Dim, Adaptive, VoronoiPush>(kernel) : nullptr;
