@@ -13,6 +13,9 @@ namespace plenum {
 
 namespace {
 
+/// Scatter of sums in float: a perfect lattice is left alone.
+constexpr double noise = 1e-6;
+
 /// No particle moves further than that in an iteration, in spacings.
 constexpr double furthestMove = 0.15;
 
@@ -160,14 +163,13 @@ RelaxationResult relax(std::vector<FluidFill<Dim>>& fluids, const std::vector<Wa
   Arrangement<Dim> arrangement(fluids, walls, frame, adaptive);
   const Ending ending(settings);
   RelaxationResult result;
-  result.best.scatter = std::numeric_limits<double>::infinity();
   std::vector<Vec<Dim>> best;
   double move = std::numeric_limits<double>::infinity();
   for (int iteration = 0;; ++iteration) {
     RelaxationState state = arrangement.sumKernels();
     state.iteration = iteration;
     state.move = move;
-    if (state.scatter < result.best.scatter) {
+    if (iteration == 0 || state.scatter < result.best.scatter - noise) {
       result.best = state;
       best = arrangement.positions();
     }

@@ -182,7 +182,9 @@ TEST(Relaxation, KeepsTheBestStateWhereTheToleranceIsOutOfReach) {
   const RelaxationResult& result = *made.relaxation;
   EXPECT_FALSE(result.settled);
   EXPECT_EQ(result.history.size(), 31u);
-  for (const RelaxationState& state : result.history) EXPECT_GE(state.scatter, result.best.scatter);
+  for (const RelaxationState& state : result.history)
+    EXPECT_GE(state.scatter, result.best.scatter - 1e-6)  // noise of float sums
+    ;
   EXPECT_EQ(scatterOf(made.scene), result.best.scatter);
   EXPECT_NE(result.reason.find("30 iterations"), std::string::npos) << result.reason;
 }
