@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # pair_loops.sh BUILD: how many loops over pairs were compiled for each instruction set, and how long
 # that took: the budget of solver/pass_choice.hpp. Counts the instances of sumChosen in the objects of
-# solver/pair_loops.cpp; tuned loops know their kernel, generic ones choose it at run time
+# solver/pair_loops.cpp and ictools/sum_loops.cpp; tuned loops know their kernel, generic ones choose it at run time
 # (kernel::Any). Times are ninja's, of the last time that each object was made.
 set -euo pipefail
 build=$1
@@ -27,7 +27,7 @@ for set in Baseline Avx2 Avx512; do
     seconds[$set]=$(awk -v a="${seconds[$set]}" -v b="$t" 'BEGIN { print b < 0 ? a : a + b }')
     # No compiler makes these in so short a time.
     awk -v t="$t" 'BEGIN { exit !(t >= 0 && t < 3) }' && cached=$((cached + 1))
-  done < <(find "$build/solver" -path "*pair_loops_cpp_${set}_*" -name '*.o' | sort)
+  done < <(find "$build/solver" "$build/ictools" -path "*_loops_cpp_${set}_*" -name '*.o' | sort)
   all=$((tuned[$set] + generic[$set]))
   [ $all -gt 0 ] || continue
   echo "pair loops, ${set,,}: $all in float and double, ${tuned[$set]} tuned," \

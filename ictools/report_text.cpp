@@ -60,12 +60,12 @@ std::string printedSpacing(const Report& report) {
 
 std::string printedPlaces(const Report& report) {
   std::string text =
-      fmt::format("  {:<18}{:>9}  {:>9} {:>9} {:>9}  {:>8}  {:>8} {:>8}\n", "density, rho/rho_0",
+      fmt::format("  {:<19}{:>9}  {:>9} {:>9} {:>9}  {:>8}  {:>8} {:>8}\n", "density, rho/rho_0",
                   "particles", "bias", "scatter", "worst", "sum V W", "|grad| d", "largest");
   for (std::size_t p = 0; p < nPlaces; ++p) {
     const PlaceFigures& f = report.places[p];
     if (f.n == 0) continue;
-    text += fmt::format("    {:<16}{:>9}  {:>9} {:>9} {:>9}  {:>8.4f}  {:>8.4f} {:>8.4f}\n",
+    text += fmt::format("    {:<17}{:>9}  {:>9} {:>9} {:>9}  {:>8.4f}  {:>8.4f} {:>8.4f}\n",
                         nameOf(Place(p)), f.n, percent(f.bias), percent(f.scatter),
                         percent(f.worst), f.kernelSum, f.kernelGradient, f.largestGradient);
   }
