@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One of the two sources that see CGAL.
+// One of the sources that see CGAL.
 #include "geometry/polygon.hpp"
 
 #include "geometry/print.hpp"
