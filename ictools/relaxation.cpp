@@ -2,12 +2,12 @@
 #include "ictools/relaxation.hpp"
 
 #include "ictools/arrangement.hpp"
-#include "particles/parallel.hpp"
+#include "ictools/relaxation_methods.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace plenum {
 
@@ -15,84 +15,6 @@ namespace {
 
 /// Scatter of sums in float: a perfect lattice is left alone.
 constexpr double noise = 1e-6;
-
-/// No particle moves further than that in an iteration, in spacings.
-constexpr double furthestMove = 0.15;
-
-template <int Dim>
-double spacingOf(double volume) {
-  return std::pow(volume, 1.0 / Dim);
-}
-
-template <int Dim>
-Vec<Dim> limited(const Vec<Dim>& move, double largest) {
-  const double length = norm(move);
-  return length > largest ? move * (largest / length) : move;
-}
-
-/// Sets field::velocity, the next move of every particle.
-template <int Dim>
-class Method {
- public:
-  virtual ~Method() = default;
-  virtual void plan(Arrangement<Dim>& arrangement, const RelaxationState& state) = 0;
-};
-
-/// A stiff gas with friction: p = 1 + K (sum_j V_j W_ij/mean - 1). With spacing d = V^(1/Dim) the
-/// acceleration in spacings is -d sum_j V_j (p_i + p_j) grad_i W_ij. Waves then cross about a
-/// spacing in an iteration: the most that an explicit step can carry at usual h/d. The part that is
-/// the same for all orders particles, K evens out their densities: where spacings jump (a blob in a
-/// wind), K = 1 leaves pairs along the jump, 10 leaves none. Friction is a compromise: more of it
-/// delays the long waves, less lets the short ones ring.
-template <int Dim>
-class Packing final : public Method<Dim> {
- public:
-  void plan(Arrangement<Dim>& arrangement, const RelaxationState&) override {
-    constexpr double kept = 0.85, stiffness = 10;
-    constexpr double step = 1 / (1 + stiffness);
-    auto& particles = arrangement.particles();
-    const auto velocity = particles[field::velocity];
-    const auto volume = particles[field::mass];
-    const auto pressure = particles[field::pressure];
-    forEachIndex(arrangement.nFluid(), [&](std::size_t i) {
-      pressure[i] = std::max(0.0, 1 + stiffness * (pressure[i] - 1));
-    });
-    arrangement.forEachSum(
-        NeighbourSum::pressure, field::force, [&](std::size_t i, const Vec<Dim>& force) {
-          const double d = spacingOf<Dim>(volume[i]);
-          velocity[i] =
-              limited(kept * velocity[i] + step * d * d / volume[i] * force, furthestMove * d);
-        });
-  }
-};
-
-/// Moves along the push of weighted Voronoi tessellations. Steps begin at a third of a spacing for
-/// a particle with all its neighbours on one side, and become shorter whenever the scatter grows.
-template <int Dim>
-class VoronoiMoves final : public Method<Dim> {
- public:
-  void plan(Arrangement<Dim>& arrangement, const RelaxationState& state) override {
-    if (state.scatter > last_) step_ *= 0.8;
-    last_ = state.scatter;
-    auto& particles = arrangement.particles();
-    const auto velocity = particles[field::velocity];
-    const auto volume = particles[field::mass];
-    arrangement.forEachSum(NeighbourSum::voronoi, field::push,
-                           [&](std::size_t i, const Vec<Dim>& push) {
-                             const double d = spacingOf<Dim>(volume[i]);
-                             velocity[i] = limited(step_ * d * push, furthestMove * d);
-                           });
-  }
-
- private:
-  double step_ = 1, last_ = std::numeric_limits<double>::infinity();
-};
-
-template <int Dim>
-std::unique_ptr<Method<Dim>> methodNamed(const std::string& name) {
-  if (name == "wvt") return std::make_unique<VoronoiMoves<Dim>>();
-  return std::make_unique<Packing<Dim>>();
-}
 
 /// Whether more iterations are worth it, and why not.
 class Ending {
@@ -155,7 +77,7 @@ template <int Dim>
 RelaxationResult relax(std::vector<FluidFill<Dim>>& fluids, const std::vector<WallFill<Dim>>& walls,
                        const SceneFrame<Dim>& frame, const RelaxSettings& settings,
                        const RelaxationWatch& watch) {
-  const auto method = methodNamed<Dim>(settings.method);
+  const auto method = relaxationMethod<Dim>(settings.method);
   const bool adaptive =
       settings.method == "wvt" || std::ranges::any_of(fluids, [](const auto& fluid) {
         return fluid.settings.spacingFollowsDensity() || fluid.lengthScale != 1;
