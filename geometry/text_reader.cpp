@@ -26,14 +26,14 @@ std::ifstream openFile(const std::filesystem::path& path, double memoryPerByte) 
   const std::string name = path.string();
   if (!fs::exists(path))
     throw InputError(name + ": no such file; paths are relative to the case file");
-  if (!fs::is_regular_file(path)) throw InputError(name + ": is not a file; give a geometry file");
-  if (fs::file_size(path) == 0) throw InputError(name + ": is empty; export the geometry again");
+  if (!fs::is_regular_file(path)) throw InputError(name + ": is not a file; give the path of one");
+  if (fs::file_size(path) == 0) throw InputError(name + ": is empty; export it again");
   const double needed = memoryPerByte * static_cast<double>(fs::file_size(path));
   const double available = availableMemory().value_or(needed);
   if (needed > available)
     throw InputError(
-        fmt::format("{}: is too large: its {} need about {} of memory, {} are available; export it "
-                    "with fewer triangles",
+        fmt::format("{}: is too large: its {} need about {} of memory, {} are available; export a "
+                    "coarser one",
                     name, printedBytes(static_cast<double>(fs::file_size(path))),
                     printedBytes(needed), printedBytes(available)));
   std::ifstream in(path, std::ios::binary);

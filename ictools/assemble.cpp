@@ -174,7 +174,7 @@ std::vector<std::pair<std::string, double>> qualityFigures(
       figures.emplace_back(name + ": density x volume", whole);
     figures.emplace_back(name + ": left to earlier fluids", fluid.nCovered);
     for (int a = 0; a < Dim; ++a)
-      if (domain.isPeriodic(a) && fluid.settings.lattice != "random")
+      if (domain.isPeriodic(a) && fluid.settings.hasLattice())
         figures.emplace_back(name + ": spacing along " + axes[a] + " / asked for - 1",
                              fluid.lattice.deviation(a));
   }

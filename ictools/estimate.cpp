@@ -27,7 +27,9 @@ template <int Dim>
 double expectedFluid(const std::vector<FluidFill<Dim>>& fluids) {
   double n = 0;
   for (const auto& fluid : fluids)
-    n += std::min(fluid.volume.value, fluid.box.volume()) / fluid.lattice.cellVolume();
+    n += fluid.settings.positions
+             ? static_cast<double>(fluid.points.size())
+             : std::min(fluid.volume.value, fluid.box.volume()) / fluid.lattice.cellVolume();
   return n;
 }
 

@@ -242,7 +242,7 @@ FluidFill<Dim> prepareFluid(const FluidSettings& settings, GeometryPtr<Dim> regi
   fluid.box = fluid.region ? frame.clipped(fluid.region->bounds()) : frame.domain;
   fluid.volume = fluid.region ? fluid.region->volume() : Measure{frame.domain.volume(), 0};
   checkCount(fluid);
-  if (settings.lattice != "random") fluid.lattice.fitTo(frame.domain);
+  if (settings.hasLattice()) fluid.lattice.fitTo(frame.domain);
   fluid.placeLattice();
   return fluid;
 }
@@ -252,7 +252,9 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
   const double roundOff = surfaceRoundOff * frame.spacing;
   for (std::size_t k = 0; k < fluids.size(); ++k) {
     FluidFill<Dim>& fluid = fluids[k];
-    if (fluid.settings.spacingFollowsDensity()) {
+    if (fluid.settings.positions) {
+      // placed when it was prepared
+    } else if (fluid.settings.spacingFollowsDensity()) {
       fillWithEqualMasses(fluid, frame, randomOf(fluid, k));
     } else if (fluid.settings.lattice == "random") {
       fluid.points = randomPoints(fluid, roundOff, randomOf(fluid, k));

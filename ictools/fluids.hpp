@@ -49,6 +49,7 @@ FluidFill<Dim> prepareFluid(const FluidSettings& settings, GeometryPtr<Dim> regi
 /// Puts particles into all fluids. A fluid has the lattice points inside its region and outside of
 /// the regions of earlier fluids. A point on the surface (fill.hpp) is left out, unless fluid lies
 /// all around it: on the face between two fluids (the first one has it) or on a periodic face.
+/// A fluid with positions keeps those that `placeFromFile` gave it.
 /// `random`: as many points as the closest packing has in the region's volume, uniform, seeded.
 /// Throws InputError for a region that gets no particle.
 template <int Dim>

@@ -58,6 +58,21 @@ Section<ProfileKeys> profileSection() {
   return section;
 }
 
+Section<PositionsKeys> positionsSection() {
+  using S = PositionsKeys;
+  Section<S> section("where a file has particles, instead of a lattice; scaled, then translated");
+  section
+      .text("file", &S::file,
+            "relative to the case file: .vtu, .csv (columns x, y, z or position_x ..., or "
+            "numbers alone), .hdf5 or .hdf (/PartType0/Coordinates of GADGET and SWIFT in the "
+            "file's unit of length, or a particle file)")
+      .required()
+      .number("scale", &S::scale, "", Range::positive(),
+              "factor on lengths; 0.001 for a file in millimetres")
+      .vector("translate", &S::translate, "m", "shift; absent: none");
+  return section;
+}
+
 Section<RotationSettings> rotationSection() {
   using S = RotationSettings;
   Section<S> section("rigid rotation, counter-clockwise seen against the axis");
@@ -122,8 +137,21 @@ void checkEqualMasses(const FluidSettings& fluid, const std::vector<FluidSetting
   }
   if (!other->equalMassWith.empty())
     node.fail("that fluid takes its mass from another one itself; name that one");
-  if (fluid.mass == "exact" || fluid.profile || fluid.lattice == "random")
+  if (fluid.mass == "exact" || fluid.profile || !fluid.hasLattice())
     node.fail("goes with a lattice, one density and mass = \"cell\" only");
+}
+
+/// A file of positions stands for a lattice and all that a lattice has.
+void checkPositions(const FluidSettings& fluid) {
+  if (!fluid.positions) return;
+  for (const char* key : {"lattice", "lattice_origin"})
+    if (const CaseNode* node = fluid.node.find(key))
+      node->fail("excludes positions; give one of them");
+  if (fluid.spacingFollowsDensity())
+    at(fluid.node, "positions")
+        .fail(
+            "excludes particles = \"equal_mass\", which chooses places by itself; set particles = "
+            "\"equal_spacing\", or leave one of positions and profile out");
 }
 
 void checkWall(const WallSettings& wall, int dimension) {
@@ -163,13 +191,14 @@ const Section<FluidSettings>& fluidSection() {
               "lattice_origin", &S::latticeOrigin, "m",
               "where a lattice point stands; absent: half a row spacing from the region's lower "
               "bounds")
+          .section("positions", &S::positions, positionsSection())
           .integer("seed", &S::seed, Range::notNegative(), "of random positions and of jitter")
           .number("jitter", &S::jitter, "d_ref", Range::between(0, 0.5),
                   "noise: each coordinate is moved by up to this much")
           .number("density", &S::density, "kg/m^d", Range::positive(), "reference density rho_0")
           .text("mass", &S::mass,
                 "cell: density times the lattice's cell; exact: density times the region's exact "
-                "volume over the number of particles",
+                "volume over the number of particles; absent: cell, or exact with positions",
                 {"cell", "exact"})
           .text(
               "equal_mass_with", &S::equalMassWith,
@@ -240,6 +269,9 @@ std::vector<FluidSettings> readFluids(const CaseSettings& settings) {
   for (const CaseNode& node : settings.fluids->asArray()) {
     FluidSettings fluid = fluidSection().read(node, settings.dimension);
     fluid.node = node;
+    checkPositions(fluid);
+    // A file's particles need not be d_ref apart: the cell of a lattice is not theirs.
+    if (fluid.positions && node.find("mass") == nullptr) fluid.mass = "exact";
     if (fluid.lattice.empty()) fluid.lattice = latticeNames(settings.dimension).front();
     checkFluid(fluid, settings.dimension);
     fluids.push_back(std::move(fluid));

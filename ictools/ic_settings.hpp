@@ -50,11 +50,19 @@ struct ProfileKeys {
   std::string table;
 };
 
+/// Places of particles that a file holds: scaled about the origin, then moved.
+struct PositionsKeys {
+  std::string file;
+  double scale = 1;
+  std::vector<double> translate;  ///< [m]; empty: none
+};
+
 struct FluidSettings {
   std::string name;
   std::string region;   ///< "": the whole periodic domain
   std::string lattice;  ///< "": the first of latticeNames()
   std::vector<double> latticeOrigin;
+  std::optional<PositionsKeys> positions;  ///< instead of a lattice
   int seed = 1;
   double jitter = 0;  ///< [d_ref]
   double density = 1;
@@ -66,6 +74,9 @@ struct FluidSettings {
   std::optional<ProfileKeys> profile;
   std::string particles = "equal_mass";  ///< of a profile
   CaseNode node;                         ///< where it stands, for messages
+
+  /// Particles stand where a lattice has points, at first.
+  bool hasLattice() const { return lattice != "random" && !positions; }
 
   /// Particles of one mass, whose spacing follows the profile.
   bool spacingFollowsDensity() const { return profile && particles == "equal_mass"; }

@@ -2,6 +2,7 @@
 //
 // plenum-ic: from a case file to a particle file.
 #include "ictools/check.hpp"
+#include "ictools/export_file.hpp"
 #include "ictools/generate.hpp"
 #include "ictools/ic_settings.hpp"
 #include "ictools/report.hpp"
@@ -49,6 +50,7 @@ Examples:
   plenum-ic generate cases/gas_box.toml -o box.hdf --set spacing=0.025 --set fluid[0].seed=2
   plenum-ic preview rotating_shaft.hdf -o shaft.png --color pressure
   plenum-ic info rotating_shaft.hdf
+  plenum-ic export rotating_shaft.hdf -o shaft.csv
   plenum-ic report rotating_shaft.hdf --png report.png
   plenum-ic help-case
 
@@ -201,6 +203,12 @@ int runReport(const Options& options) {
   return exitOk;
 }
 
+int runExport(const Options& options) {
+  const std::size_t n = exportFile(options.input, options.output);
+  if (!options.quiet) std::cout << fmt::format("{}: {} particles\n", options.output, n);
+  return exitOk;
+}
+
 int runInfo(const Options& options) {
   withParticleFile(options.input, [&](const auto& scene) {
     std::cout << describe(scene)
@@ -253,6 +261,10 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.5, 100.0));
   report->add_option("--json", options.json, "write the figures there");
   report->add_option("--png", options.png, "draw histograms there");
+  CLI::App* exportTo = app.add_subcommand("export", "write the particles as .vtu or .csv");
+  exportTo->add_option("FILE", options.input, "particle file (.hdf)")->required();
+  exportTo->add_option("-o,--output", options.output, "NAME.vtu or NAME.csv")->required();
+  exportTo->add_flag("-q,--quiet", options.quiet, "print errors only");
   CLI::App* helpCase = app.add_subcommand("help-case", "all keys of a case file");
   helpCase->add_flag("--markdown", options.markdown, "as tables for the docs");
 
@@ -261,6 +273,7 @@ int main(int argc, char** argv) {
     if (check->parsed()) return runCheck(options);
     if (generate->parsed()) return runGenerate(options);
     if (preview->parsed()) return runPreview(options);
+    if (exportTo->parsed()) return runExport(options);
     if (info->parsed()) return runInfo(options);
     if (report->parsed()) return runReport(options);
     return runHelpCase(options);

@@ -141,6 +141,7 @@ class Group {
   std::string readText(const std::string& name) const;
   std::vector<std::string> readTexts(const std::string& name) const;
 
+  bool hasAttribute(const std::string& name) const;
   template <class T>
   T attribute(const std::string& name) const {
     T value{};

@@ -85,6 +85,10 @@ std::vector<std::string> Group::readAllTexts(const std::string& name, std::size_
   return unpacked(bytes, length);
 }
 
+bool Group::hasAttribute(const std::string& name) const {
+  return H5Aexists(handle_.get(), name.c_str()) > 0;
+}
+
 Handle Group::openAttribute(const std::string& name) const {
   Handle attribute(H5Aopen(handle_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
   if (!attribute.valid()) {
