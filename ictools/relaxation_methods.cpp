@@ -31,7 +31,7 @@ Vec<Dim> limited(const Vec<Dim>& move, double largest) {
 /// acceleration in spacings is -d sum_j V_j (p_i + p_j) grad_i W_ij. Waves then cross about a
 /// spacing in an iteration: the most that an explicit step can carry at usual h/d. The part that is
 /// the same for all orders particles, K evens out their densities: where spacings jump (a blob in a
-/// wind), K = 1 leaves pairs along the jump, 10 leaves none. Friction is a compromise: more of it
+/// wind), K = 1 leaves pairs along the jump, 10 hardly any. Friction is a compromise: more of it
 /// delays the long waves, less lets the short ones ring.
 template <int Dim>
 class Packing final : public RelaxationMethod<Dim> {
