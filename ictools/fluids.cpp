@@ -149,6 +149,27 @@ std::vector<Vec<Dim>> seamPoints(const std::vector<FluidFill<Dim>>& fluids, std:
   return points;
 }
 
+/// How many lattice points of a fluid lie inside of earlier ones: whether its region is its own,
+/// when its points were given and none of them lies there.
+template <int Dim>
+std::size_t latticePlacesOfEarlier(const std::vector<FluidFill<Dim>>& fluids, std::size_t k,
+                                   const SceneFrame<Dim>& frame) {
+  const FluidFill<Dim>& fluid = fluids[k];
+  if (k == 0) return 0;
+  const double roundOff = surfaceRoundOff * frame.spacing;
+  const auto points =
+      fluid.region ? latticePoints(fluid.lattice, fluid.box, *fluid.region, {.upper = -roundOff})
+                   : latticePoints(fluid.lattice, fluid.box);
+  std::size_t n = 0;
+  for (std::size_t earlier = 0; earlier < k; ++earlier) {
+    if (!fluids[earlier].region) return points.size();
+    const auto places =
+        placesOf<Dim>(*fluids[earlier].region, points, fluid.lattice.edges()[0], roundOff);
+    n += static_cast<std::size_t>(std::ranges::count(places, PointPlace::inside));
+  }
+  return n;
+}
+
 /// Removes the points inside earlier fluids, and those on their surface where they have a particle.
 template <int Dim>
 void leaveToEarlier(std::vector<FluidFill<Dim>>& fluids, std::size_t k,
@@ -177,6 +198,8 @@ void leaveToEarlier(std::vector<FluidFill<Dim>>& fluids, std::size_t k,
     });
   }
   fluid.nCovered = before - fluid.points.size();
+  if (fluid.isPlaced && fluid.nCovered == 0)
+    fluid.nCovered = latticePlacesOfEarlier(fluids, k, frame);
   if (fluid.nCovered > 0 && fluid.settings.mass == "exact")
     at(fluid.settings.node, "mass")
         .fail(
@@ -252,8 +275,8 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
   const double roundOff = surfaceRoundOff * frame.spacing;
   for (std::size_t k = 0; k < fluids.size(); ++k) {
     FluidFill<Dim>& fluid = fluids[k];
-    if (fluid.settings.positions) {
-      // placed when it was prepared
+    if (fluid.isPlaced) {
+      // keeps its points
     } else if (fluid.settings.spacingFollowsDensity()) {
       fillWithEqualMasses(fluid, frame, randomOf(fluid, k));
     } else if (fluid.settings.lattice == "random") {

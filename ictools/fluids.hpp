@@ -26,6 +26,7 @@ struct FluidFill {
   std::size_t nCovered = 0;    ///< places left to an earlier fluid
   std::size_t nParticles = 0;  ///< counted when `assemble` takes the points
   double lengthScale = 1;      ///< of its spacing and smoothing length over those of the scene
+  bool isPlaced = false;       ///< the points are given, by a file or an earlier set
   bool isCut = false;          ///< the region reaches beyond periodic faces
 
   /// Puts the lattice where the settings want it, or by the half-spacing rule.
@@ -49,7 +50,7 @@ FluidFill<Dim> prepareFluid(const FluidSettings& settings, GeometryPtr<Dim> regi
 /// Puts particles into all fluids. A fluid has the lattice points inside its region and outside of
 /// the regions of earlier fluids. A point on the surface (fill.hpp) is left out, unless fluid lies
 /// all around it: on the face between two fluids (the first one has it) or on a periodic face.
-/// A fluid with positions keeps those that `placeFromFile` gave it.
+/// A fluid that is placed keeps its points.
 /// `random`: as many points as the closest packing has in the region's volume, uniform, seeded.
 /// Throws InputError for a region that gets no particle.
 template <int Dim>

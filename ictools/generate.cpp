@@ -4,6 +4,7 @@
 #include "ictools/assemble.hpp"
 #include "ictools/container.hpp"
 #include "ictools/estimate.hpp"
+#include "ictools/places_of_set.hpp"
 #include "ictools/prepare_fluid.hpp"
 #include "ictools/regions.hpp"
 #include "ictools/thin_parts.hpp"
@@ -109,7 +110,7 @@ void addFigures(const RelaxationResult& relaxed, SceneInfo<Dim>& info) {
 template <int Dim>
 Generated<Dim> generate(const CaseNode& root, const CaseSettings& settings,
                         const std::filesystem::path& casePath, const Warn& warn,
-                        const RelaxationWatch& watch) {
+                        const GenerateOptions<Dim>& options) {
   const SceneFrame<Dim> frame = sceneFrame<Dim>(root, settings);
   const Regions<Dim> regions = readRegions<Dim>(settings, casePath.parent_path(), warn);
   auto fluids = prepareFluids(settings, regions, casePath.parent_path(), frame, warn);
@@ -117,6 +118,7 @@ Generated<Dim> generate(const CaseNode& root, const CaseSettings& settings,
   const auto container = containerRegions(root, settings, regions, fluids, frame);
 
   checkMemory(fluids, frame);
+  if (options.placesOf != nullptr) takePlaces(fluids, *options.placesOf, frame);
   fillFluids(fluids, frame);
   checkFluidOutsideWalls(fluids, walls, frame);
   checkThinParts(fluids, frame, warn);
@@ -125,7 +127,7 @@ Generated<Dim> generate(const CaseNode& root, const CaseSettings& settings,
   fillWalls(walls, fluids, containerBox, frame);
   std::optional<RelaxationResult> relaxed;
   if (const auto relaxation = readRelax(settings))
-    relaxed = relax(fluids, walls, frame, *relaxation, watch);
+    relaxed = relax(fluids, walls, frame, *relaxation, options.watch);
   measureThickness(walls, frame, warn);
 
   Scene<Dim> scene{sceneInfo(root, settings, casePath, frame, fluids, walls),
@@ -141,10 +143,10 @@ Generated<Dim> generate(const CaseNode& root, const CaseSettings& settings,
 }
 
 template Generated<1> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
-                               const Warn&, const RelaxationWatch&);
+                               const Warn&, const GenerateOptions<1>&);
 template Generated<2> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
-                               const Warn&, const RelaxationWatch&);
+                               const Warn&, const GenerateOptions<2>&);
 template Generated<3> generate(const CaseNode&, const CaseSettings&, const std::filesystem::path&,
-                               const Warn&, const RelaxationWatch&);
+                               const Warn&, const GenerateOptions<3>&);
 
 }  // namespace plenum

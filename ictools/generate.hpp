@@ -18,6 +18,13 @@ struct Generated {
   std::optional<RelaxationResult> relaxation;    ///< if the case asks for one
 };
 
+/// What the case does not say.
+template <int Dim>
+struct GenerateOptions {
+  RelaxationWatch watch = {};            ///< told of each iteration of a relaxation
+  const Scene<Dim>* placesOf = nullptr;  ///< an earlier set of the case, whose places are taken
+};
+
 /// From a case to a set of particles: geometry, fluids, walls, container, numbers.
 ///
 /// Fluid particles stand first, fluid by fluid, then walls; ids count walls first (1 ... Nw). Every
@@ -27,7 +34,7 @@ struct Generated {
 template <int Dim>
 Generated<Dim> generate(const CaseNode& root, const CaseSettings& settings,
                         const std::filesystem::path& casePath, const Warn& warn,
-                        const RelaxationWatch& watch = {});
+                        const GenerateOptions<Dim>& options = {});
 
 /// Particles, masses, spacings and layers in some lines, for the terminal.
 template <int Dim>

@@ -5,49 +5,28 @@
 #include "ictools/export_file.hpp"
 #include "ictools/generate.hpp"
 #include "ictools/ic_settings.hpp"
+#include "ictools/make_set.hpp"
 #include "ictools/report.hpp"
 #include "particles/atomic_file.hpp"
 #include "particles/command_line.hpp"
 #include "particles/errors.hpp"
 #include "particles/particle_file.hpp"
-#include "particles/picture.hpp"
-#include "particles/progress.hpp"
 #include "particles/version.hpp"
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <iostream>
-#include <limits>
-#include <optional>
-#include <type_traits>
 
 using namespace plenum;
-namespace fs = std::filesystem;
 
 namespace {
-
-struct Options {
-  std::string input;
-  std::string output;
-  std::string color = "velocity";
-  std::vector<std::string> set;
-  bool quiet = false;
-  bool markdown = false;
-  std::string kernel;          // of `report`
-  double smoothingLength = 0;  // [d_ref]
-  std::string json, png;
-  bool noReport = false;
-};
-
-/// The report card takes ten times as long as making the particles, and more memory.
-constexpr std::size_t mostReported = 2'000'000;
 
 constexpr const char* examples = R"(
 Examples:
   plenum-ic check cases/rotating_shaft.toml --json findings.json
   plenum-ic generate cases/rotating_shaft.toml
   plenum-ic generate cases/gas_box.toml -o box.hdf --set spacing=0.025 --set fluid[0].seed=2
+  plenum-ic relax rotating_shaft.hdf --tolerance 0.01
   plenum-ic preview rotating_shaft.hdf -o shaft.png --color pressure
   plenum-ic info rotating_shaft.hdf
   plenum-ic export rotating_shaft.hdf -o shaft.csv
@@ -56,133 +35,11 @@ Examples:
 
 Exit code: 0 done, 1 the input is at fault, 2 failure.)";
 
-void warn(const std::string& message) {
-  std::cout.flush();
-  std::cerr << "plenum-ic: warning: " << message << std::endl;
-}
-
-/// Shows how a relaxation goes on.
-class RelaxationProgress {
- public:
-  explicit RelaxationProgress(bool quiet) : quiet_(quiet) {}
-
-  RelaxationWatch watch() {
-    return [this](const RelaxationState& state) { show(state); };
-  }
-
-  /// To be called when it is over.
-  void end(const RelaxationResult& result) {
-    progress_->finish(fmt::format("scatter {:.3f} % at iteration {} of {}: {}",
-                                  100 * result.best.scatter, result.best.iteration,
-                                  result.history.back().iteration, result.reason));
-    failed_ = !result.settled;
-  }
-
-  int exitCode() const { return failed_ ? exitInputAtFault : exitOk; }
-
- private:
-  void show(const RelaxationState& state) {
-    if (!progress_) progress_.emplace("relaxing", std::numeric_limits<double>::infinity(), quiet_);
-    progress_->update(
-        0, fmt::format("iteration {}: scatter {:.3f} %, moves {:.4f} d_ref", state.iteration,
-                       100 * state.scatter, state.iteration == 0 ? 0 : state.move));
-  }
-
-  bool quiet_, failed_ = false;
-  std::optional<Progress> progress_;
-};
-
-/// Calls visit(std::integral_constant<int, Dim>) for the case's dimension.
-template <class Visit>
-void withDimension(int dimension, Visit&& visit) {
-  if (dimension == 1) visit(std::integral_constant<int, 1>{});
-  if (dimension == 2) visit(std::integral_constant<int, 2>{});
-  if (dimension == 3) visit(std::integral_constant<int, 3>{});
-}
-
-/// Reads the case with the values of --set, makes the scene and calls use(generated).
-template <class Use>
-void withGenerated(const Options& options, const RelaxationWatch& watch, Use&& use) {
-  CaseNode root = CaseNode::load(options.input);
-  for (const std::string& assignment : options.set) {
-    const auto [key, value] = CaseNode::splitAssignment(assignment);
-    root.set(key, value);
-  }
-  const CaseSettings settings = readCase(root);
-  withDimension(settings.dimension, [&](auto dimension) {
-    use(plenum::generate<dimension.value>(root, settings, options.input, warn, watch));
-  });
-}
-
-/// The file to write: as asked, or the input's name with another ending in the current folder.
-/// Throws InputError rather than replace the input.
-fs::path outputPath(const Options& options, const char* ending) {
-  fs::path path = options.output;
-  if (path.empty()) path = fs::path(options.input).stem().concat(ending);
-  std::error_code none;
-  if (fs::equivalent(path, options.input, none))
-    throw InputError(path.string() +
-                     ": is the input and would be replaced; name another file with "
-                     "--output");
-  if (path.extension() != ending)
-    throw InputError(fmt::format("{}: must end in {}", path.string(), ending));
-  return path;
-}
-
-/// Beside the particle file.
-void writeReport(const fs::path& path, const Report& report) {
-  const auto beside = [&](const char* ending) { return fs::path(path).replace_extension(ending); };
-  writeTextFile(beside(".report.txt"), printed(report));
-  writeTextFile(beside(".report.json"), json(report));
-  drawReport(beside(".report.png"), report);
-}
-
-int runGenerate(const Options& options) {
-  CaseNode::load(options.input);  // says so at once if it is no case
-  const fs::path path = outputPath(options, ".hdf");
-  RelaxationProgress relaxing(options.quiet);
-  withGenerated(options, relaxing.watch(), [&](auto made) {
-    auto& scene = made.scene;
-    if (made.relaxation) relaxing.end(*made.relaxation);
-    if (!options.quiet) std::cout << describe(scene);
-    std::optional<Report> report;
-    const bool isLarge = scene.particles.size() > mostReported;
-    if (isLarge && !options.quiet)
-      std::cout << fmt::format("no report card for more than {} particles: plenum-ic report {} "
-                               "makes one\n",
-                               mostReported, path.string());
-    if (!options.noReport && !isLarge) {
-      report = reportOn(scene, made.profiles);
-      for (const auto& figure : figuresOf(*report)) scene.info.quality.push_back(figure);
-      if (!options.quiet) std::cout << printed(*report);
-    }
-    writeParticleFile(path, scene);
-    if (report) writeReport(path, *report);
-    if (options.quiet) return;
-    std::cout << fmt::format("  {}: {:.2f} MB\nnext: plenum-sph run {}\n", path.string(),
-                             static_cast<double>(fs::file_size(path)) / 1e6, path.string());
-  });
-  return relaxing.exitCode();
-}
-
 int runCheck(const Options& options) {
   const CheckReport report = checkCase(options.input, options.set);
   if (!options.json.empty()) writeTextFile(options.json, toJson(report));
   if (!options.quiet || !report.findings.all().empty()) std::cout << describe(report);
   return report.findings.hasErrors() ? exitInputAtFault : exitOk;
-}
-
-int runPreview(const Options& options) {
-  const fs::path path = outputPath(options, ".png");
-  const auto draw = [&](const auto& scene) {
-    drawParticles(path, scene.particles, pictureOptions(scene.info, options.color));
-    if (!options.quiet) std::cout << path.string() << '\n';
-  };
-  if (fs::path(options.input).extension() == ".toml")
-    withGenerated(options, {}, [&](const auto& made) { draw(made.scene); });
-  else
-    withParticleFile(options.input, draw);
-  return exitOk;
 }
 
 /// Judges a file, with another kernel if asked.
@@ -247,6 +104,18 @@ int main(int argc, char** argv) {
   generate->add_option("-o,--output", options.output, "particle file; absent: CASE's name + .hdf");
   generate->add_flag("--no-report", options.noReport, "leave out the report card beside the file");
   addSet(generate);
+  CLI::App* relax =
+      app.add_subcommand("relax", "move particles until they stand evenly, as [relax] of a case");
+  relax->add_option("INPUT", options.input, "particle file made here (.hdf) or case (.toml)")
+      ->required();
+  relax->add_option("-o,--output", options.output,
+                    "particle file; absent: INPUT's name + .relaxed.hdf, or .hdf of a case");
+  relax->add_option("--method", options.method, "packing, wvt or lloyd; absent: the case's");
+  relax->add_option("--tolerance", options.tolerance,
+                    "scatter of the kernel sum that must be reached; absent: the case's");
+  relax->add_option("--max-iterations", options.maxIterations, "at most; absent: the case's");
+  relax->add_flag("--no-report", options.noReport, "leave out the report card beside the file");
+  addSet(relax);
   CLI::App* preview = app.add_subcommand("preview", "draw particles as PNG, without ParaView");
   preview->add_option("FILE", options.input, "particle file (.hdf) or case (.toml)")->required();
   preview->add_option("-o,--output", options.output, "picture; absent: FILE's name + .png");
@@ -272,6 +141,7 @@ int main(int argc, char** argv) {
     if (const auto code = parseCommandLine(app, argc, argv)) return *code;
     if (check->parsed()) return runCheck(options);
     if (generate->parsed()) return runGenerate(options);
+    if (relax->parsed()) return runRelax(options);
     if (preview->parsed()) return runPreview(options);
     if (exportTo->parsed()) return runExport(options);
     if (info->parsed()) return runInfo(options);

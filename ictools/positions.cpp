@@ -80,6 +80,23 @@ std::string printed(const Vec<Dim>& x) {
   return fmt::format("({:g})", fmt::join(x.components, ", "));
 }
 
+/// Two particles at one place would never part: no force between them has a direction.
+template <int Dim>
+void checkApart(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, const CaseNode& file) {
+  const PointGrid<Dim> grid(fluid.box, surfaceRoundOff * frame.spacing, fluid.points);
+  std::size_t nTwins = 0, first = 0;
+  for (std::size_t k = 0; k < fluid.points.size(); ++k)
+    if (std::isfinite(grid.nearest(fluid.points[k], k)) && nTwins++ == 0) first = k;
+  if (nTwins > 0)
+    file.fail(
+        fmt::format("{} of {} points share their place with another, the first at {}, within {:g} "
+                    "m; remove the doubles, or check the spacing",
+                    nTwins, fluid.points.size(), printed(fluid.points[first]),
+                    surfaceRoundOff * frame.spacing));
+}
+
+}  // namespace
+
 template <int Dim>
 void checkInside(const FluidFill<Dim>& fluid, const std::vector<Vec<Dim>>& points,
                  const SceneFrame<Dim>& frame, const CaseNode& file) {
@@ -102,23 +119,6 @@ void checkInside(const FluidFill<Dim>& fluid, const std::vector<Vec<Dim>>& point
       printed(fluid.box.upper)));
 }
 
-/// Two particles at one place would never part: no force between them has a direction.
-template <int Dim>
-void checkApart(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, const CaseNode& file) {
-  const PointGrid<Dim> grid(fluid.box, surfaceRoundOff * frame.spacing, fluid.points);
-  std::size_t nTwins = 0, first = 0;
-  for (std::size_t k = 0; k < fluid.points.size(); ++k)
-    if (std::isfinite(grid.nearest(fluid.points[k], k)) && nTwins++ == 0) first = k;
-  if (nTwins > 0)
-    file.fail(
-        fmt::format("{} of {} points share their place with another, the first at {}, within {:g} "
-                    "m; remove the doubles, or check the spacing",
-                    nTwins, fluid.points.size(), printed(fluid.points[first]),
-                    surfaceRoundOff * frame.spacing));
-}
-
-}  // namespace
-
 template <int Dim>
 void placeFromFile(FluidFill<Dim>& fluid, const std::filesystem::path& folder,
                    const SceneFrame<Dim>& frame, const Warn& warn) {
@@ -138,9 +138,16 @@ void placeFromFile(FluidFill<Dim>& fluid, const std::filesystem::path& folder,
   checkInside(fluid, points, frame, file);
   for (Vec<Dim>& x : points) x = frame.domain.wrap(x);
   fluid.points = std::move(points);
+  fluid.isPlaced = true;
   checkApart(fluid, frame, file);
 }
 
+template void checkInside(const FluidFill<1>&, const std::vector<Vec<1>>&, const SceneFrame<1>&,
+                          const CaseNode&);
+template void checkInside(const FluidFill<2>&, const std::vector<Vec<2>>&, const SceneFrame<2>&,
+                          const CaseNode&);
+template void checkInside(const FluidFill<3>&, const std::vector<Vec<3>>&, const SceneFrame<3>&,
+                          const CaseNode&);
 template void placeFromFile(FluidFill<1>&, const std::filesystem::path&, const SceneFrame<1>&,
                             const Warn&);
 template void placeFromFile(FluidFill<2>&, const std::filesystem::path&, const SceneFrame<2>&,

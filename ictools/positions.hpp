@@ -20,4 +20,10 @@ template <int Dim>
 void placeFromFile(FluidFill<Dim>& fluid, const std::filesystem::path& folder,
                    const SceneFrame<Dim>& frame, const Warn& warn);
 
+/// Throws InputError, with what stands at `node`, if points lie outside of the fluid's region or of
+/// the periodic domain.
+template <int Dim>
+void checkInside(const FluidFill<Dim>& fluid, const std::vector<Vec<Dim>>& points,
+                 const SceneFrame<Dim>& frame, const CaseNode& node);
+
 }  // namespace plenum

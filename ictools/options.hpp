@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plenum {
+
+/// The command line of plenum-ic; each command uses some of it.
+struct Options {
+  std::string input;
+  std::string output;
+  std::string color = "velocity";
+  std::vector<std::string> set;
+  bool quiet = false;
+  bool markdown = false;
+  bool noReport = false;
+  std::string kernel;          // of `report`
+  double smoothingLength = 0;  // of `report` [d_ref]
+  std::string json, png;
+  std::string method;  // these three of `relax`
+  std::optional<double> tolerance;
+  std::optional<int> maxIterations;
+};
+
+}  // namespace plenum
