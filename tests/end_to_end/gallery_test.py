@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every part of the gallery is filled right, or refused with the right remedy."""
 
-import importlib.util
 import json
 import math
 import os
@@ -15,56 +14,9 @@ import numpy
 
 MAKE_CAD = os.path.abspath(sys.argv.pop(4))
 
-from harness import CASES, IC, Programs  # noqa: E402  (takes the other arguments)
-
-GALLERY = os.path.join(CASES, "gallery")
-spec = importlib.util.spec_from_file_location("make_gallery",
-                                              os.path.join(GALLERY, "make_gallery.py"))
-gallery = importlib.util.module_from_spec(spec)
-sys.dont_write_bytecode = True
-spec.loader.exec_module(gallery)
-
-# Beyond the surface of a formula; negative inside. One array of coordinates in, one out.
-
-
-def beyond_box(x, lower, upper):
-    return numpy.max(numpy.maximum(numpy.array(lower) - x, x - numpy.array(upper)), axis=1)
-
-
-def beyond_pipe(x, inner, outer, height):
-    r = numpy.hypot(x[:, 0], x[:, 1])
-    return numpy.max((inner - r, r - outer, -x[:, 2], x[:, 2] - height), axis=0)
-
-
-def beyond_ball(x):
-    return numpy.linalg.norm(x, axis=1) - gallery.BALL
-
-
-def beyond_gear(x, teeth, root, tip, height):
-    """Between the circles of its roots and tips it is in a tooth, or between two."""
-    r = numpy.hypot(x[:, 0], x[:, 1])
-    share = (numpy.arctan2(x[:, 1], x[:, 0]) * teeth / (2 * math.pi)) % 1
-    # Flanks run from the root at 0.4 to the tip at 0.5 and back from 0.9 to 1, as the outline does;
-    # chords of the roots lie within the circle.
-    in_tooth = (share > 0.4)
-    radial = numpy.where(in_tooth, r - tip, r - root)
-    return numpy.max((radial, -x[:, 2], x[:, 2] - height), axis=0)
-
-
-def beyond_torus(x, radius, half):
-    u = numpy.arctan2(x[:, 1], x[:, 0])
-    p, q = numpy.hypot(x[:, 0], x[:, 1]) - radius, x[:, 2]
-    a = numpy.cos(u) * p + numpy.sin(u) * q
-    b = -numpy.sin(u) * p + numpy.cos(u) * q
-    return numpy.max((abs(a) - half, abs(b) - half), axis=0)
-
-
-def beyond_slot(x, width, height):
-    left = beyond_box(x, (-0.045, -0.02, 0), (-0.005, 0.02, height))
-    right = beyond_box(x, (0.005, -0.02, 0), (0.045, 0.02, height))
-    slot = beyond_box(x, (-0.005, -width / 2, 0), (0.005, width / 2, height))
-    return numpy.min((left, right, slot), axis=0)
-
+from harness import IC, Programs  # noqa: E402  (takes the other arguments)
+from gallery_parts import (GALLERY, beyond_ball, beyond_box, beyond_gear, beyond_pipe,  # noqa: E402
+                           beyond_slot, beyond_torus, gallery)
 
 BLOCK = gallery.BLOCK
 FORMULAS = {
