@@ -159,10 +159,9 @@ SpacingMeasures measureSpacing(const ParticleSet<Dim>& particles, const Box<Dim>
 namespace {
 
 template <int Dim>
-Neighbourhood neighbourhoodOf(const Shell<Dim>& shell, double spacing) {
-  Neighbourhood result{nearestRange, std::numeric_limits<double>::quiet_NaN()};
-  if (shell.count == 0) return result;
-  result.nearest = std::min(nearestRange, std::sqrt(shell.distanceSquared[0]) / spacing);
+Neighbourhood neighbourhoodOf(const Shell<Dim>& shell, double nearestSquared) {
+  Neighbourhood result{std::min(nearestRange, std::sqrt(nearestSquared)),
+                       std::numeric_limits<double>::quiet_NaN()};
   if (shell.count < Shell<Dim>::size || shell.distanceSquared[0] == 0) return result;
   if constexpr (Dim == 2) result.bondOrder = psi6Of(shell);
   if constexpr (Dim == 3) result.bondOrder = q6Of(shell);
@@ -191,10 +190,14 @@ std::vector<Neighbourhood> neighbourhoods(const ParticleSet<Dim>& particles, con
     forEachIndex(who.size(), [&](std::size_t k) {
       const std::size_t i = who[k];
       Shell<Dim> shell;
+      double nearestSquared = std::numeric_limits<double>::infinity();
       search.around(all[i], [&](std::uint32_t j, const Vec<Dim>& d, double d2) {
-        if (j != i) shell.insert(d2, d);
+        if (j == i) return;
+        shell.insert(d2, d);
+        const double between = 0.5 * (spacing[i] + spacing[j]);
+        nearestSquared = std::min(nearestSquared, d2 / (between * between));
       });
-      result[i] = neighbourhoodOf(shell, spacing[i]);
+      result[i] = neighbourhoodOf(shell, nearestSquared);
     });
   }
   return result;

@@ -28,14 +28,15 @@ SpacingMeasures measureSpacing(const ParticleSet<Dim>& particles, const Box<Dim>
 
 /// What a fluid particle has around it, walls included.
 struct Neighbourhood {
-  double nearest = 0;  ///< distance to the nearest particle, in its own spacing; 2.5: none so near
+  double nearest = 0;  ///< distance to the nearest particle, in the mean of both spacings; 2.5:
+                       ///< none so near
   double bondOrder =
       0;  ///< |psi_6| over six neighbours in 2-D (1: hexagonal), q_6 over twelve in 3-D
           ///< (hcp .485, fcc .575, random about .29); NaN where there are fewer, and in 1-D
 };
 
 /// Neighbourhoods of all fluid particles; spacing[i] is the distance at which particle i is meant
-/// to have its neighbours [m], length size() or nFluid(). q_6: Steinhardt et al. 1983,
+/// to have its neighbours [m], length size(). q_6: Steinhardt et al. 1983,
 /// doi 10.1103/PhysRevB.28.784.
 template <int Dim>
 std::vector<Neighbourhood> neighbourhoods(const ParticleSet<Dim>& particles, const Box<Dim>& domain,

@@ -44,9 +44,11 @@ struct OwnKernelPressure {
   }
 };
 
-/// sum_j h^d W(r_ij, h) r_ij/|r_ij|, h = (h_i + h_j)/2: the push of weighted Voronoi tessellations
-/// without the tessellation. Diehl et al. 2015, doi 10.1017/pasa.2015.50; with the kernel as the
-/// weight: Arth et al. 2019, arXiv 1907.11250.
+/// sum_j (h/h_i)^(d-1) h^d W(r_ij, h) r_ij/|r_ij|, h = (h_i + h_j)/2: the push of weighted Voronoi
+/// tessellations without the tessellation. Diehl et al. 2015, doi 10.1017/pasa.2015.50; with the
+/// kernel as the weight: Arth et al. 2019, arXiv 1907.11250. The first factor is ours: where the
+/// number density n ~ h^-d has a gradient, the pushes integral n h^k f(r/h) r/|r| of the many small
+/// and the few large neighbours cancel to first order for k = d - 1 only (docs/relaxation.md).
 struct VoronoiPush {
   static constexpr FieldSet reads{field::smoothingLength};
   static constexpr FieldSet writes{field::push};
@@ -54,7 +56,8 @@ struct VoronoiPush {
   template <class Real, int Dim>
   [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
     const Real tiny = Real(1e-12) * ij.h * ij.h;  // coincident particles do not push each other
-    i.push += power<Dim>(ij.h) * ij.W / squareRoot(max(ij.distanceSquared, tiny)) * ij.r;
+    const Real share = power<Dim - 1>(ij.h / ij.i.smoothingLength) * power<Dim>(ij.h);
+    i.push += share * ij.W / squareRoot(max(ij.distanceSquared, tiny)) * ij.r;
   }
 };
 

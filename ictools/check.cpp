@@ -75,6 +75,16 @@ bool draftWalls(const CaseSettings& settings, const Regions<Dim>& regions, bool 
 template <int Dim>
 bool fillDraft(Draft<Dim>& draft, Findings& findings) {
   if (!findings.attempt([&] { fillFluids(draft.fluids, draft.frame); })) return false;
+  for (const auto& fluid : draft.fluids)
+    if (fluid.nCovered > 0)
+      findings.add({Severity::note,
+                    fmt::format("{}: overlaps an earlier fluid, which has the place: {} places of "
+                                "fluid \"{}\" are left to it",
+                                at(fluid.settings.node, "region").where(), fluid.nCovered,
+                                fluid.settings.name),
+                    "make its region a difference, or change the order of the fluids, if that is "
+                    "not meant",
+                    {}});
   findings.attempt([&] { checkThinParts(draft.fluids, draft.frame, findings.warner()); });
   if (!findings.attempt([&] { checkFluidOutsideWalls(draft.fluids, draft.walls, draft.frame); }))
     return false;  // walls would miss the places of that fluid

@@ -15,7 +15,7 @@ namespace {
 
 /// Densities are blurred over that many spacings to both sides along each axis, so that where they
 /// jump, a particle's volume does not jump with each of its moves.
-constexpr double blur = 0.7;
+constexpr double blur = 0.5;
 
 const std::string& plainLattice(int dimension) {
   static const std::string names[] = {"uniform", "square", "cubic"};

@@ -119,7 +119,11 @@ int main(int argc, char** argv) {
   CLI::App* preview = app.add_subcommand("preview", "draw particles as PNG, without ParaView");
   preview->add_option("FILE", options.input, "particle file (.hdf) or case (.toml)")->required();
   preview->add_option("-o,--output", options.output, "picture; absent: FILE's name + .png");
-  preview->add_option("--color", options.color, "field that colours the particles");
+  preview->add_option("--color", options.color,
+                      "field that colours the particles, or type: fluids and walls apart");
+  preview->add_option("--slice", options.slice, "cut through a 3-D set: y=0.5");
+  preview->add_option("--width", options.width, "of the picture, in pixels")
+      ->check(CLI::Range(200, 8000));
   addSet(preview);
   CLI::App* info = app.add_subcommand("info", "say what a particle file holds");
   info->add_option("FILE", options.input, "particle file (.hdf)")->required();

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
 #include <iostream>
 #include <type_traits>
 
@@ -53,6 +55,23 @@ void applyRelax(const Options& options, CaseNode& root) {
   if (options.tolerance) root.set("relax.tolerance", fmt::format("{}", *options.tolerance));
   if (options.maxIterations)
     root.set("relax.max_iterations", fmt::format("{}", *options.maxIterations));
+}
+
+/// From "y=0.5".
+Slice sliceOf(const std::string& text, int dimension) {
+  const std::string asked = "--slice " + text + ": ";
+  if (dimension != 3)
+    throw InputError(
+        fmt::format("{}the set has {} dimensions, only 3-D sets are cut", asked, dimension));
+  const auto axis = std::string("xyz").find(text.substr(0, 1));
+  double position = 0;
+  const char* const end = text.data() + text.size();
+  const auto parsed =
+      std::from_chars(text.data() + std::min<std::size_t>(2, text.size()), end, position);
+  if (text.size() < 3 || text[1] != '=' || axis == std::string::npos || parsed.ec != std::errc() ||
+      parsed.ptr != end || !std::isfinite(position))
+    throw InputError(asked + "must be an axis and a place in metres, as y=0.5");
+  return {static_cast<int>(axis), position, 0};
 }
 
 /// The file to write: as asked, or the input's name with another ending in the current folder.
@@ -173,8 +192,11 @@ int runRelax(const Options& options) {
 
 int runPreview(const Options& options) {
   const fs::path path = outputPath(options, ".png");
-  const auto draw = [&](const auto& scene) {
-    drawParticles(path, scene.particles, pictureOptions(scene.info, options.color));
+  const auto draw = [&]<int Dim>(const Scene<Dim>& scene) {
+    PictureOptions<Dim> picture = pictureOptions(scene.info, options.color);
+    picture.width = options.width;
+    if (!options.slice.empty()) picture.slice = sliceOf(options.slice, Dim);
+    drawParticles(path, scene.particles, picture);
     if (!options.quiet) std::cout << path.string() << '\n';
   };
   if (fs::path(options.input).extension() != ".toml") {

@@ -11,11 +11,13 @@ namespace plenum {
 struct Options {
   std::string input;
   std::string output;
-  std::string color = "velocity";
   std::vector<std::string> set;
   bool quiet = false;
   bool markdown = false;
   bool noReport = false;
+  std::string color = "velocity";  // these three of `preview`
+  std::string slice;
+  int width = 1200;            // [px]
   std::string kernel;          // of `report`
   double smoothingLength = 0;  // of `report` [d_ref]
   std::string json, png;

@@ -27,6 +27,8 @@ class Ending {
     if (settings_.tolerance && now.scatter <= *settings_.tolerance && now.move <= calm)
       return end(result, true,
                  fmt::format("scatter {:.4g} <= {:g}", now.scatter, *settings_.tolerance));
+    if (now.scatter <= negligible)
+      return end(result, true, fmt::format("scatter below {:g}", negligible));
     if (hasStalled(result.history))
       return end(result, !settings_.tolerance, "the scatter falls no longer");
     if (now.iteration < settings_.maxIterations) return false;
@@ -34,7 +36,9 @@ class Ending {
   }
 
  private:
-  static constexpr double calm = 0.02;   // moves [spacings] below which an arrangement is at rest
+  static constexpr double calm = 0.02;  // moves [spacings] below which an arrangement is at rest
+  /// A set that crystallises goes on falling; the sums of any lattice are off by a hundred times.
+  static constexpr double negligible = 1e-5;
   static constexpr int patience = 40;    // iterations in which the scatter must fall ...
   static constexpr double worth = 0.05;  // ... by that part
 

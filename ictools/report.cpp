@@ -43,19 +43,20 @@ QualitySums<Dim> qualitySums(const Scene<Dim>& scene, ParticleSet<Dim>& particle
 }
 
 /// Whether nobody stands where the gradient of the kernel sum misses somebody: no particle within
-/// two spacings and 45 degrees of the direction into the void (after Marrone et al. 2010, doi
-/// 10.1016/j.jcp.2010.01.019). `all` reaches two spacings or more.
+/// two spacings, its own or the other's, and 45 degrees of the direction into the void (after
+/// Marrone et al. 2010, doi 10.1016/j.jcp.2010.01.019). `all` reaches two of the largest spacings.
 template <int Dim>
-bool isAtFreeSurface(const Vec<Dim>& x, const Vec<Dim>& gradient, double spacing,
-                     const PointSearch<Dim>& all) {
+bool isAtFreeSurface(std::size_t i, const Vec<Dim>& x, const Vec<Dim>& gradient,
+                     std::span<const double> spacing, const PointSearch<Dim>& all) {
   // A plane surface half a spacing away gives .3 to .6 at usual h/d.
   constexpr double noSurface = 0.12;
   const double length = norm(gradient);
-  if (length * spacing < noSurface) return false;
+  if (length * spacing[i] < noSurface) return false;
   const Vec<Dim> intoVoid = -gradient / length;
   bool covered = false;
-  all.around(x, [&](std::uint32_t, const Vec<Dim>& d, double d2) {
-    covered |= d2 > 0 && d2 < 4 * spacing * spacing && dot(d, intoVoid) > std::sqrt(0.5 * d2);
+  all.around(x, [&](std::uint32_t j, const Vec<Dim>& d, double d2) {
+    const double reach = 2 * std::max(spacing[i], spacing[j]);
+    covered |= d2 > 0 && d2 < reach * reach && dot(d, intoVoid) > std::sqrt(0.5 * d2);
   });
   return !covered;
 }
@@ -98,7 +99,7 @@ std::vector<std::uint8_t> nearOtherFluid(const ParticleSet<Dim>& particles, cons
 /// d_ref where smoothing lengths are that of the scene, in proportion elsewhere [m].
 template <int Dim>
 std::vector<double> localSpacings(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particles) {
-  std::vector<double> spacing(particles.nFluid());
+  std::vector<double> spacing(particles.size());
   for (std::size_t i = 0; i < spacing.size(); ++i)
     spacing[i] = info.spacing * particles[field::smoothingLength][i] / info.smoothingLength;
   return spacing;
@@ -118,7 +119,7 @@ std::vector<Place> placesOf(const Scene<Dim>& scene, const ParticleSet<Dim>& par
                              2 * *std::max_element(spacing.begin(), spacing.end()));
   std::vector<Vec<Dim>> surface;
   for (std::size_t i = 0; i < fluid.size(); ++i)
-    if (isAtFreeSurface(fluid[i], sums.kernelGradient[i], spacing[i], all))
+    if (isAtFreeSurface<Dim>(i, fluid[i], sums.kernelGradient[i], spacing, all))
       surface.push_back(fluid[i]);
   const auto atWall = near<Dim>(fluid, reach, position.subspan(fluid.size()), domain);
   const auto atSurface = near<Dim>(fluid, reach, surface, domain);

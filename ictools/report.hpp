@@ -54,7 +54,7 @@ struct Histogram {
 };
 
 /// Distances of fluid particles to the nearest particle of any kind, in units of d_ref; where
-/// smoothing lengths differ, of d_ref times a particle's own over that of the scene.
+/// smoothing lengths differ, of d_ref times the mean of the pair's over that of the scene.
 struct SpacingFigures {
   double least = 0, mean = 0, largest = 0;        ///< 2.5: nobody so near
   double below01 = 0, below05 = 0, below085 = 0;  ///< shares of particles nearer than .1, .5, .85

@@ -12,56 +12,17 @@ namespace plenum {
 
 namespace {
 
-/// The lattice of a fluid with another spacing; the same points where the spacing is the same.
-template <int Dim>
-Lattice<Dim> continued(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double spacing) {
-  if (spacing == frame.spacing * fluid.lengthScale) return fluid.lattice;
-  const std::string& name =
-      fluid.settings.lattice == "random" ? latticeNames(Dim).front() : fluid.settings.lattice;
-  Lattice<Dim> lattice(name, spacing);
-  lattice.fitTo(frame.domain);
-  lattice.startAt(fluid.box.lower);
-  return lattice;
-}
-
 /// Removes the points that `isTaken(k)` names.
 template <int Dim, class IsTaken>
-void eraseTaken(std::vector<Vec<Dim>>& points, IsTaken&& isTaken) {
+void eraseTaken(std::vector<FixedPoint<Dim>>& points, IsTaken&& isTaken) {
   std::size_t k = 0;
-  std::erase_if(points, [&](const Vec<Dim>&) { return isTaken(k++); });
-}
-
-/// Points outside of one fluid, where neither another fluid nor a wall is.
-template <int Dim>
-std::vector<Vec<Dim>> freeShell(const std::vector<FluidFill<Dim>>& fluids, std::size_t own,
-                                const std::vector<WallFill<Dim>>& walls,
-                                const SceneFrame<Dim>& frame, double reach,
-                                const Lattice<Dim>& lattice) {
-  const FluidFill<Dim>& fluid = fluids[own];
-  const double roundOff = surfaceRoundOff * frame.spacing;
-  const Box<Dim> box = frame.clipped(fluid.box.grown(reach));
-  auto points = latticePoints(lattice, box, *fluid.region, DistanceBand{-roundOff, reach});
-  for (std::size_t k = 0; k < fluids.size(); ++k) {
-    if (k == own || !fluids[k].region) continue;
-    // What lies outside of two fluids belongs to the shell of the first.
-    const double within = k < own ? reach : roundOff;
-    const auto distances = signedDistances<Dim>(*fluids[k].region, points);
-    eraseTaken(points, [&](std::size_t i) { return distances[i] <= within; });
-  }
-  for (const WallFill<Dim>& wall : walls) {
-    const auto distances = signedDistances<Dim>(*wall.solid.geometry, points);
-    eraseTaken(points, [&](std::size_t i) {
-      const double depth = wall.solid.depth(distances[i]);
-      return depth >= -roundOff && depth <= wall.thickness + roundOff;
-    });
-  }
-  return points;
+  std::erase_if(points, [&](const FixedPoint<Dim>&) { return isTaken(k++); });
 }
 
 /// How a fluid goes on behind its free surface.
 struct Shell {
   double reach;    ///< [m]
-  double spacing;  ///< d_ref of its lattice [m]
+  double spacing;  ///< of its layers [m]
 };
 
 /// From the particles nearest to the surface: the finest of their spacings, the largest support.
@@ -81,6 +42,57 @@ Shell shellOf(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double 
   if (most == 0) return {frame.support(), frame.spacing};
   const double cellEdge = std::pow(fluid.lattice.cellVolume(), 1.0 / Dim);
   return {2 * lengthOverSpacing * most, frame.spacing * least / cellEdge};
+}
+
+/// The fluid continued past its surface, whatever is there. Lattices go on; for particles that will
+/// stand as they please there are layers along the surface, which leave them just the room that
+/// they need: the next lattice point may be up to a spacing away, and evens out over curved
+/// surfaces only.
+template <int Dim>
+std::vector<FixedPoint<Dim>> continued(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame,
+                                       const Shell& shell) {
+  const Box<Dim> box = frame.clipped(fluid.box.grown(shell.reach));
+  std::vector<FixedPoint<Dim>> points;
+  if (fluid.settings.hasLattice() && !fluid.settings.spacingFollowsDensity()) {
+    const DistanceBand band{-surfaceRoundOff * frame.spacing, shell.reach};
+    for (const Vec<Dim>& x : latticePoints(fluid.lattice, box, *fluid.region, band))
+      points.push_back({x, fluid.lattice.cellVolume()});
+    return points;
+  }
+  const int layers = static_cast<int>(std::ceil(shell.reach / shell.spacing - 1e-9));
+  const WallSolid<Dim> outside{fluid.region, true};
+  for (const auto& point : conformalLayers(outside, shell.spacing, layers, box))
+    points.push_back({point.position, point.volume});
+  return points;
+}
+
+/// What of that lies neither in another fluid nor in a wall.
+template <int Dim>
+std::vector<FixedPoint<Dim>> freeShell(const std::vector<FluidFill<Dim>>& fluids, std::size_t own,
+                                       const std::vector<WallFill<Dim>>& walls,
+                                       const SceneFrame<Dim>& frame, const Shell& shell) {
+  const double roundOff = surfaceRoundOff * frame.spacing;
+  auto points = continued(fluids[own], frame, shell);
+  const auto positions = [&] {
+    std::vector<Vec<Dim>> all;
+    for (const auto& point : points) all.push_back(point.position);
+    return all;
+  };
+  for (std::size_t k = 0; k < fluids.size(); ++k) {
+    if (k == own || !fluids[k].region) continue;
+    // What lies outside of two fluids belongs to the shell of the first.
+    const double within = k < own ? shell.reach : roundOff;
+    const auto distances = signedDistances<Dim>(*fluids[k].region, positions());
+    eraseTaken(points, [&](std::size_t i) { return distances[i] <= within; });
+  }
+  for (const WallFill<Dim>& wall : walls) {
+    const auto distances = signedDistances<Dim>(*wall.solid.geometry, positions());
+    eraseTaken(points, [&](std::size_t i) {
+      const double depth = wall.solid.depth(distances[i]);
+      return depth >= -roundOff && depth <= wall.thickness + roundOff;
+    });
+  }
+  return points;
 }
 
 }  // namespace
@@ -103,9 +115,8 @@ std::vector<FixedPoint<Dim>> surroundings(const std::vector<FluidFill<Dim>>& flu
   for (const FixedPoint<Dim>& point : fixed) taken.insert(point.position);
   for (std::size_t k = 0; k < fluids.size(); ++k) {
     const Shell shell = shellOf(fluids[k], frame, lengthOverSpacing);
-    const Lattice<Dim> lattice = continued(fluids[k], frame, shell.spacing);
-    for (const Vec<Dim>& x : freeShell(fluids, k, walls, frame, shell.reach, lattice))
-      if (!std::isfinite(taken.nearest(x))) fixed.push_back({x, lattice.cellVolume()});
+    for (const FixedPoint<Dim>& point : freeShell(fluids, k, walls, frame, shell))
+      if (!std::isfinite(taken.nearest(point.position))) fixed.push_back(point);
   }
   return fixed;
 }

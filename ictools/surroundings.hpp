@@ -13,9 +13,10 @@ struct FixedPoint {
 };
 
 /// What stands around the fluids as far as kernels reach: the walls' particles, and where a fluid
-/// ends without a wall (a free surface) lattice points as if it went on there, so that nothing
-/// spreads into the void. `lengthOverSpacing` is h over the edge of a particle's volume. Where
-/// spacing follows density, lattice and reach are those of the fluid along its surface.
+/// ends without a wall (a free surface) points as if it went on there, on its lattice or in layers
+/// along its surface, so that nothing spreads into the void. `lengthOverSpacing` is h over the edge
+/// of a particle's volume. Where spacing follows density, layers and reach are those of the fluid
+/// along its surface.
 template <int Dim>
 std::vector<FixedPoint<Dim>> surroundings(const std::vector<FluidFill<Dim>>& fluids,
                                           const std::vector<WallFill<Dim>>& walls,

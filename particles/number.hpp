@@ -43,8 +43,10 @@ constexpr Real negativePart(Real a) {
 /// a^N by repeated squaring.
 template <int N, class Real>
 constexpr Real power(Real a) {
-  static_assert(N >= 1);
-  if constexpr (N == 1)
+  static_assert(N >= 0);
+  if constexpr (N == 0)
+    return Real(1);
+  else if constexpr (N == 1)
     return a;
   else if constexpr (N % 2 == 0)
     return power<N / 2>(a * a);

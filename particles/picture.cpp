@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -76,19 +77,37 @@ Box<Dim> viewOf(const ParticleSet<Dim>& particles, const PictureOptions<Dim>& op
   return *options.view;
 }
 
+/// Disks of the diameter that `diameterOf(particle)` gives [px].
+template <class DiameterOf>
 void stampAll(PictureFrame& frame, const PlaneDots& dots, const std::vector<Colour>& colours,
-              double diameter, bool shaded) {
+              bool shaded, DiameterOf&& diameterOf) {
   int stride = 0;
   std::uint32_t* pixels = frame.canvas().pixels(stride);
-  const DiskStamp stamp(diameter, shaded);
-  for (const PlaneDots::Dot& dot : dots.dots)
+  std::map<int, DiskStamp> stamps;  // by quarters of a pixel
+  for (const PlaneDots::Dot& dot : dots.dots) {
+    const int quarters = static_cast<int>(std::lround(4 * diameterOf(dot.particle)));
+    const auto& stamp = stamps.try_emplace(quarters, quarters / 4.0, shaded).first->second;
     stamp.draw(pixels, stride, frame.plot(), frame.toX(dot.x), frame.toY(dot.y),
                colours[dot.particle]);
+  }
   frame.canvas().pixelsDone();
 }
 
 /// Smallest disk that still shows its colour [px].
 constexpr double leastDiameter = 1.8;
+
+/// Diameter of each particle's disk [px]: in proportion to its smoothing length if they differ,
+/// `diameter` [m] for that of the scene.
+template <int Dim>
+auto diameters(const ParticleSet<Dim>& particles, const PictureOptions<Dim>& options,
+               double diameter, double pixelsPerUnit) {
+  return [&particles, pixels = diameter * pixelsPerUnit,
+          length = particles.has(FieldId::smoothingLength) ? options.smoothingLength
+                                                           : 0.0](std::uint32_t particle) {
+    const double scale = length > 0 ? particles[field::smoothingLength][particle] / length : 1.0;
+    return std::max(leastDiameter, scale * pixels);
+  };
+}
 
 template <int Dim>
 double diameterOf(const ParticleSet<Dim>& particles, const PictureOptions<Dim>& options) {
@@ -132,7 +151,7 @@ void drawGraph(const std::filesystem::path& path, const ParticleSet<1>& particle
   const double diameter =
       std::clamp(options.width / 2.0 / static_cast<double>(particles.size()), 4.0, 7.0);
   frame.draw();
-  stampAll(frame, dots, colours, diameter, false);
+  stampAll(frame, dots, colours, false, [&](std::uint32_t) { return diameter; });
   frame.canvas().save(path);
 }
 
@@ -162,8 +181,8 @@ void drawPlane(const std::filesystem::path& path, const ParticleSet<Dim>& partic
       {box.lower[horizontal], box.upper[horizontal], box.lower[vertical], box.upper[vertical]},
       text, scale, options.width, false);
   frame.draw();
-  stampAll(frame, dots, coloursOf(particles, values, scale),
-           std::max(leastDiameter, diameter * frame.pixelsPerUnit()), false);
+  stampAll(frame, dots, coloursOf(particles, values, scale), false,
+           diameters(particles, options, diameter, frame.pixelsPerUnit()));
   frame.canvas().save(path);
 }
 
@@ -182,8 +201,8 @@ void drawSpace(const std::filesystem::path& path, const ParticleSet<3>& particle
   PictureFrame frame(axes.view(), text, scale, options.width, false);
   frame.draw();
   axes.draw(frame);
-  stampAll(frame, dots, coloursOf(particles, values, scale),
-           std::max(leastDiameter, diameter * frame.pixelsPerUnit()), true);
+  stampAll(frame, dots, coloursOf(particles, values, scale), true,
+           diameters(particles, options, diameter, frame.pixelsPerUnit()));
   frame.canvas().save(path);
 }
 
@@ -196,6 +215,7 @@ PictureOptions<Dim> pictureOptions(const SceneInfo<Dim>& info, const std::string
   options.title = info.title;
   options.time = info.time;
   options.spacing = info.spacing;
+  options.smoothingLength = info.smoothingLength;
   options.container = containerBounds(info);
   if (field == "material")
     for (const Material& material : info.materials) options.labels.push_back(material.name);

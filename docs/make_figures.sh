@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# make_figures.sh BUILD FOLDER [NAME ...]: makes the pictures, charts and tables of the docs, all of
+# them or those named. `./run --figures` calls it.
+set -euo pipefail
+build=$(cd "$1" && pwd)
+mkdir -p "$2"
+folder=$(cd "$2" && pwd)
+shift 2
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+ic=$build/ictools/plenum-ic
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest)
+chosen=("${@:-${known[@]}}")
+
+# The disk in which the first pictures are taken.
+cat > "$work/disk.toml" <<TOML
+title     = "Disk"
+dimension = 2
+spacing   = 0.05
+[geometry]
+disk = { disk = { center = [0, 0], radius = 0.5 } }
+[[fluid]]
+region = "disk"
+mass   = "exact"
+[[wall]]
+outside = "disk"
+[solver]
+smoothing_length = 1.5
+TOML
+
+disk() {  # disk NAME TITLE [KEY=VALUE ...]
+  local name=$1 title=$2 sets=()
+  shift 2
+  for value in "$@"; do sets+=(--set "$value"); done
+  "$ic" preview "$work/disk.toml" -q -o "$folder/$name.png" --width 600 --color type \
+    --set "title=\"$title\"" ${sets[@]+"${sets[@]}"}
+}
+
+measured() {  # the tests print tables, and write them and charts there
+  (cd "$root" && PLENUM_FIGURES=$folder OMP_NUM_THREADS=${OMP_NUM_THREADS:-1} \
+    /usr/bin/python3 "tests/end_to_end/$1_test.py" "$ic" "$build/solver/plenum-sph" cases)
+}
+
+for name in "${chosen[@]}"; do
+  case $name in
+    lattices)
+      for lattice in hexagonal square random; do
+        disk "lattice_$lattice" "lattice = $lattice" "fluid[0].lattice=$lattice"
+      done ;;
+    walls)
+      disk walls_lattice "method = lattice"
+      disk walls_conformal "method = conformal" "wall[0].method=conformal" ;;
+    relaxation)
+      disk relaxed_lattice "hexagonal, conformal walls, relaxed" "wall[0].method=conformal" \
+        "relax.method=packing"
+      disk relaxed_random "random, conformal walls, relaxed" "wall[0].method=conformal" \
+        "fluid[0].lattice=random" "relax.method=packing" ;;
+    blob)
+      "$ic" preview "$root/cases/initial_conditions/blob.toml" -q --width 900 --color material \
+        --slice y=0.5 -o "$folder/blob.png" ;;
+    report_card)
+      "$ic" generate "$root/cases/initial_conditions/relaxed_ball.toml" -q -o "$work/ball.hdf"
+      cp "$work/ball.report.png" "$folder/report_card.png" ;;
+    relaxed_sets | densities | at_rest) measured "$name" ;;
+    *) echo "make_figures.sh: $name: no such figure; known: ${known[*]}" >&2; exit 1 ;;
+  esac
+  echo "figures: $name"
+done
