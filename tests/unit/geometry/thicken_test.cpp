@@ -269,8 +269,8 @@ TEST(Thicken, RefusesLinesThatMakeNoWall) {
                   {"runs back", "(1, 0)", "12 degrees"});
   expectNoWall<2>("e.wkt", "LINESTRING (0 1, 0 0, 0.3 0, 0.3 1)", 0.2, inner,
                   {"0.2 m", "near (0.15, 0)", "side = \"outer\""});
-  expectNoWall<2>("f.wkt", "LINESTRING (0 0, 0 1, 2 1, 2 0.2, 0.3 0.2)", 0.4, inner,
-                  {"crosses", "thickness = 0.4", "smaller thickness"});
+  expectNoWall<2>("f.wkt", "LINESTRING (0 0, 0 1, 2 1, 2 0.2, 0.3 0.2)", 0.35, outer,
+                  {"crosses", "thickness = 0.35", "smaller thickness"});
   expectNoWall<2>("g.wkt", "MULTILINESTRING ((0 0, 1 0), (1 0, 1 1))", 0.1, outer,
                   {"two loops cross or touch"});
   expectNoWall<2>("h.wkt", "POINT (0 0)", 0.1, outer, {"not a line", "LINESTRING"});
