@@ -52,6 +52,12 @@ void Geometry<Dim>::signedDistance(std::span<const Vec<Dim>> points,
 }
 
 template <int Dim>
+void Geometry<Dim>::distanceBound(std::span<const Vec<Dim>> points,
+                                  std::span<double> result) const {
+  signedDistance(points, result);
+}
+
+template <int Dim>
 void Geometry<Dim>::inside(std::span<const Vec<Dim>> points, std::span<std::uint8_t> result) const {
   std::array<double, chunkLength> distances;
   for (std::size_t begin = 0; begin < points.size(); begin += chunkLength) {
@@ -78,6 +84,13 @@ template <int Dim>
 double Geometry<Dim>::signedDistance(const Vec<Dim>& point) const {
   double result = 0;
   signedDistance(std::span(&point, 1), std::span(&result, 1));
+  return result;
+}
+
+template <int Dim>
+double Geometry<Dim>::distanceBound(const Vec<Dim>& point) const {
+  double result = 0;
+  distanceBound(std::span(&point, 1), std::span(&result, 1));
   return result;
 }
 

@@ -41,6 +41,11 @@ class Geometry {
   /// result[k] = signed distance of points[k] to the surface [m], negative inside.
   virtual void signedDistance(std::span<const Vec<Dim>> points, std::span<double> result) const;
 
+  /// result[k] = a number of the sign of the signed distance and at most its size [m], that takes
+  /// less time: exact but for set operations, of whose parts it says how near the surface of any
+  /// is.
+  virtual void distanceBound(std::span<const Vec<Dim>> points, std::span<double> result) const;
+
   /// result[k] = nearest surface point of points[k].
   virtual void closest(std::span<const Vec<Dim>> points,
                        std::span<SurfacePoint<Dim>> result) const = 0;
@@ -65,6 +70,7 @@ class Geometry {
 
   bool isInside(const Vec<Dim>& point) const;
   double signedDistance(const Vec<Dim>& point) const;
+  double distanceBound(const Vec<Dim>& point) const;
   SurfacePoint<Dim> closest(const Vec<Dim>& point) const;
 };
 

@@ -41,8 +41,8 @@ class Builder {
  private:
   GeometryPtr<Dim> make(const CaseNode& entry) {
     const std::string key = keyOf(shapeNodeOf(entry, Dim));
-    const bool isOperation = key == "union" || key == "intersection" || key == "difference";
-    return isOperation ? operation(entry, key) : makeRegion<Dim>(entry, caseFolder_, report_);
+    return isSetOperation(key) ? operation(entry, key)
+                               : makeRegion<Dim>(entry, caseFolder_, report_);
   }
 
   GeometryPtr<Dim> operation(const CaseNode& entry, const std::string& key) {

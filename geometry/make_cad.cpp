@@ -68,10 +68,14 @@ void writeStl(const fs::path& script, const fs::path& target, double tolerance) 
 int makeAll(const fs::path& scripts, const fs::path& folder) {
   constexpr double fine = 1e-4;  // [m]: some thousand triangles
   fs::create_directories(folder);
-  convert(scripts / "annulus.geo", folder, 2, 256);
-  convert(scripts / "box_minus_cylinder.geo", folder, 3, 64);
-  writeWkt(scripts / "annulus.geo", folder / "annulus.wkt", fine);
-  writeStl(scripts / "box_minus_cylinder.geo", folder / "box_minus_cylinder.stl", fine);
+  for (const std::string name : {"annulus", "dam_water", "dam_room"}) {
+    convert(scripts / (name + ".geo"), folder, 2, 256);
+    writeWkt(scripts / (name + ".geo"), folder / (name + ".wkt"), fine);
+  }
+  for (const std::string name : {"box_minus_cylinder", "tank_water", "tank_walls", "blob"}) {
+    convert(scripts / (name + ".geo"), folder, 3, 64);
+    writeStl(scripts / (name + ".geo"), folder / (name + ".stl"), fine);
+  }
   return exitOk;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/box_shape.hpp"
+#include "geometry/extrusion.hpp"
 #include "geometry/files.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/polygon.hpp"
@@ -64,6 +65,20 @@ GeometryPtr<2> makeShape2(const CaseNode& node, const EntryKeys& keys) {
   return makeGeometry(Annulus{toVec<2>(annulus.center), annulus.innerRadius, annulus.outerRadius});
 }
 
+GeometryPtr<3> makeExtrusion(const CaseNode& node, const ExtrudeKeys& keys,
+                             const std::filesystem::path& caseFolder, const FindingSink& report) {
+  if (!(keys.lower < keys.upper))
+    node.fail(
+        fmt::format("is empty: lower {} must be smaller than upper {}", keys.lower, keys.upper));
+  const CaseNode& base = *keys.of;
+  if (!base.isTable()) base.fail("must be a 2-D region in braces, like { disk = { ... } }");
+  const CaseNode& shape = shapeNodeOf(base, 2);
+  if (const std::string key = keyOf(shape); isSetOperation(key))
+    shape.fail("only shapes and files are extruded; extrude each part and take the " + key +
+               " of the results");
+  return extruded(makeRegion<2>(base, caseFolder, report), keys.lower, keys.upper);
+}
+
 GeometryPtr<3> makeShape3(const CaseNode& node, const EntryKeys& keys) {
   if (keys.ball) return makeGeometry(Ball<3>{toVec<3>(keys.ball->center), keys.ball->radius});
   const Cylinder shape{toVec<3>(keys.cylinder->from), toVec<3>(keys.cylinder->to),
@@ -95,8 +110,28 @@ Placement<Dim> placementOf(const EntryKeys& keys) {
   return placement;
 }
 
+std::optional<Thickening> thickeningOf(const CaseNode& entry, const EntryKeys& keys) {
+  if (!keys.thickness) {
+    if (const CaseNode* side = entry.find("side"))
+      side->fail("says where a wall's thickness is; give thickness, or remove side");
+    return std::nullopt;
+  }
+  const WallSide side = keys.side == "outer"   ? WallSide::outer
+                        : keys.side == "inner" ? WallSide::inner
+                                               : WallSide::middle;
+  return Thickening{*keys.thickness, side};
+}
+
+/// A minus is understood, but not guessed at.
+void checkThicknessIsPositive(const CaseNode& entry) {
+  const CaseNode* node = entry.find("thickness");
+  if (node != nullptr && node->isNumber() && node->asNumber() < 0)
+    node->fail("must be > 0; for a wall on the other side of the surface give side = \"inner\"");
+}
+
 template <int Dim>
 GeometryPtr<Dim> readFile(const CaseNode& node, const EntryKeys& keys,
+                          const std::optional<Thickening>& thickening,
                           const std::filesystem::path& caseFolder, const FindingSink& report) {
   if constexpr (Dim == 1) {
     node.fail("there are no files in 1-D; use box");
@@ -107,9 +142,11 @@ GeometryPtr<Dim> readFile(const CaseNode& node, const EntryKeys& keys,
     };
     const MendKeys mend = keys.mend.value_or(MendKeys{});
     try {
-      return readGeometryFile<Dim>(
-          caseFolder / keys.file,
-          {keys.tolerance, placementOf<Dim>(keys), {mend.holes, mend.largestHole}, here});
+      return readGeometryFile<Dim>(caseFolder / keys.file, {keys.tolerance,
+                                                            placementOf<Dim>(keys),
+                                                            thickening,
+                                                            {mend.holes, mend.largestHole},
+                                                            here});
     } catch (const InputError& error) {
       node.fail(error);
     }
@@ -127,17 +164,21 @@ template <int Dim>
 GeometryPtr<Dim> makeRegion(const CaseNode& entry, const std::filesystem::path& caseFolder,
                             const FindingSink& report) {
   const CaseNode& node = shapeNodeOf(entry, Dim);
+  checkThicknessIsPositive(entry);
   const EntryKeys keys = entrySection().read(entry, Dim);
   if (!keys.file.empty() || keyOf(node) == "file") {
     if (keys.mend && Dim != 3)
       entry.find("mend")->fail("concerns triangle meshes in 3-D only; remove it");
-    return readFile<Dim>(node, keys, caseFolder, report);
+    return readFile<Dim>(node, keys, thickeningOf(entry, keys), caseFolder, report);
   }
   checkHasNoFileKeys(entry);
   if (keys.box) return placedAs(keys, makeBox<Dim>(node, *keys.box));
   if (keys.halfSpace) return placedAs(keys, makeHalfSpace<Dim>(node, *keys.halfSpace));
   if constexpr (Dim == 2) return placedAs(keys, makeShape2(node, keys));
-  if constexpr (Dim == 3) return placedAs(keys, makeShape3(node, keys));
+  if constexpr (Dim == 3) {
+    if (keys.extrude) return placedAs(keys, makeExtrusion(node, *keys.extrude, caseFolder, report));
+    return placedAs(keys, makeShape3(node, keys));
+  }
   node.fail("does not exist in 1-D; use box");
 }
 

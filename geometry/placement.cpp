@@ -31,6 +31,7 @@ template <int Dim>
 class PlacedGeometry final : public Geometry<Dim> {
  public:
   using Geometry<Dim>::closest;
+  using Geometry<Dim>::distanceBound;
 
   PlacedGeometry(GeometryPtr<Dim> shape, const Placement<Dim>& placement)
       : shape_(std::move(shape)), placement_(placement) {}
@@ -42,6 +43,11 @@ class PlacedGeometry final : public Geometry<Dim> {
       result[k] = {placement_.apply(hit.point), placement_.turned(hit.normal),
                    placement_.scale * hit.signedDistance};
     }
+  }
+
+  void distanceBound(std::span<const Vec<Dim>> points, std::span<double> result) const override {
+    for (std::size_t k = 0; k < points.size(); ++k)
+      result[k] = placement_.scale * shape_->distanceBound(placement_.invert(points[k]));
   }
 
   std::unique_ptr<const RowClassifier<Dim>> rowClassifier(const Vec<Dim>& step,

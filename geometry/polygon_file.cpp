@@ -11,7 +11,8 @@ namespace plenum {
 
 namespace {
 
-/// Well-known text; parentheses and commas are made words of their own before.
+/// Well-known text; parentheses and commas are words of their own in `text`, which must outlive
+/// this.
 class WktReader {
  public:
   WktReader(std::string_view text, const std::string& source) : words_(text, source) {}
@@ -23,12 +24,35 @@ class WktReader {
       polygons.push_back(polygon());
     else if (kind == "multipolygon")
       list([&] { polygons.push_back(polygon()); });
+    else if (kind.ends_with("linestring"))
+      words_.fail("'" + kind +
+                  "' is an open line, which has no inside; for a thin wall along it give its "
+                  "thickness beside file, for a closed region write POLYGON");
     else
       words_.fail("'" + kind.substr(0, 20) +
                   "' is not a polygon; expected POLYGON, MULTIPOLYGON or lines of x y");
     if (!words_.atEnd())
       words_.fail("there is more after the polygon; use MULTIPOLYGON for several");
     return polygons;
+  }
+
+  std::vector<Loop> readLines() {
+    const std::string kind = lower(words_.word());
+    std::vector<Loop> lines;
+    if (kind == "linestring")
+      lines.push_back(corners());
+    else if (kind == "multilinestring")
+      list([&] { lines.push_back(corners()); });
+    else if (kind.ends_with("polygon"))
+      words_.fail(
+          "is a closed polygon, and thickness is for open lines; remove thickness to have "
+          "the region inside it, or write LINESTRING for a wall along an open line");
+    else
+      words_.fail("'" + kind.substr(0, 20) +
+                  "' is not a line; expected LINESTRING, MULTILINESTRING or lines of x y");
+    if (!words_.atEnd())
+      words_.fail("there is more after the line; use MULTILINESTRING for several");
+    return lines;
   }
 
  private:
@@ -66,15 +90,17 @@ class WktReader {
 
   PolygonLoops polygon() {
     std::vector<Loop> rings;
-    list([&] {
-      Loop ring;
-      list([&] {
-        const double x = words_.number();
-        ring.push_back({{x, words_.number()}});
-      });
-      rings.push_back(ring);
-    });
+    list([&] { rings.push_back(corners()); });
     return {rings.front(), {rings.begin() + 1, rings.end()}};
+  }
+
+  Loop corners() {
+    Loop ring;
+    list([&] {
+      const double x = words_.number();
+      ring.push_back({{x, words_.number()}});
+    });
+    return ring;
   }
 
   TextReader words_;
@@ -107,26 +133,47 @@ std::vector<Loop> readPlainLoops(std::string_view text, const std::string& sourc
   return loops;
 }
 
+std::string readText(const std::filesystem::path& path) {
+  const std::string text = readWholeFile(path);
+  if (text.find('\0') != std::string::npos)
+    TextReader("", path.string()).fail("is not text; a polygon file is WKT or lines of x y");
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    TextReader("", path.string()).fail("holds no polygon; export the geometry again");
+  return text;
+}
+
+bool isWkt(const std::string& text) {
+  return std::isalpha(static_cast<unsigned char>(text[text.find_first_not_of(" \t\r\n")]));
+}
+
+/// Parentheses and commas made words of their own.
+std::string parted(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '(' || c == ')' || c == ',')
+      result += {' ', c, ' '};
+    else
+      result += c;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<PolygonLoops> readPolygonFile(const std::filesystem::path& path) {
-  const std::string text = readWholeFile(path);
+  const std::string text = readText(path);
   const std::string source = path.string();
-  if (text.find('\0') != std::string::npos)
-    TextReader("", source).fail("is not text; a polygon file is WKT or lines of x y");
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos)
-    TextReader("", source).fail("holds no polygon; export the geometry again");
-  if (!std::isalpha(static_cast<unsigned char>(text[first])))
-    return nestedLoops(readPlainLoops(text, source), source);
-  std::string parted;
-  for (const char c : text) {
-    if (c == '(' || c == ')' || c == ',')
-      parted += {' ', c, ' '};
-    else
-      parted += c;
-  }
-  return WktReader(parted, source).read();
+  if (!isWkt(text)) return nestedLoops(readPlainLoops(text, source), source);
+  const std::string words = parted(text);
+  return WktReader(words, source).read();
+}
+
+std::vector<Loop> readLineFile(const std::filesystem::path& path) {
+  const std::string text = readText(path);
+  const std::string source = path.string();
+  if (!isWkt(text)) return readPlainLoops(text, source);
+  const std::string words = parted(text);
+  return WktReader(words, source).readLines();
 }
 
 }  // namespace plenum

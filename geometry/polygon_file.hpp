@@ -10,6 +10,9 @@
 //    others is a hole.
 //
 // Rings may run either way round.
+//
+// Open lines, for walls of a thickness: LINESTRING (0 0, 1 0, ...) or MULTILINESTRING ((...), ...),
+// or plain lines as above, which are then not joined at their ends.
 #pragma once
 
 #include "geometry/polygon.hpp"
@@ -20,5 +23,8 @@ namespace plenum {
 
 /// Throws InputError that names file and line.
 std::vector<PolygonLoops> readPolygonFile(const std::filesystem::path& path);
+
+/// Open lines. Throws InputError that names file and line.
+std::vector<Loop> readLineFile(const std::filesystem::path& path);
 
 }  // namespace plenum

@@ -93,6 +93,7 @@ class SetOperation final : public Geometry<Dim> {
  public:
   using Geometry<Dim>::signedDistance;
   using Geometry<Dim>::closest;
+  using Geometry<Dim>::distanceBound;
 
   SetOperation(Operation operation, std::vector<GeometryPtr<Dim>> parts)
       : operation_(operation),
@@ -110,6 +111,17 @@ class SetOperation final : public Geometry<Dim> {
         value = common_.closest(points[k]).signedDistance;
       result[k] = sign_ * value < 0 ? 1 : 0;
     }
+  }
+
+  void distanceBound(std::span<const Vec<Dim>> points, std::span<double> result) const override {
+    std::vector<double> ofPart(points.size());
+    std::ranges::fill(result, -std::numeric_limits<double>::infinity());
+    for (const Part<Dim>& part : common_.parts()) {
+      part.geometry->distanceBound(points, ofPart);
+      for (std::size_t k = 0; k < points.size(); ++k)
+        result[k] = std::max(result[k], part.sign * ofPart[k]);
+    }
+    for (double& bound : result) bound *= sign_;
   }
 
   void closest(std::span<const Vec<Dim>> points,

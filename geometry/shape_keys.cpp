@@ -75,6 +75,21 @@ const Section<PolygonKeys>& polygonSection() {
   return section;
 }
 
+const Section<ExtrudeKeys>& extrudeSection() {
+  static const auto section =
+      Section<ExtrudeKeys>("a 2-D region drawn out along z (3-D)")
+          .node("of", &ExtrudeKeys::of, "table",
+                "the 2-D region in the x-y plane, as it stands in a case with dimension = 2: box, "
+                "disk, annulus, half_space, polygon or file, with scale, rotate and translate")
+          .required()
+          .number("lower", &ExtrudeKeys::lower, "m", Range::any(), "z where it begins")
+          .required()
+          .number("upper", &ExtrudeKeys::upper, "m", Range::any(),
+                  "z where it ends, larger than lower")
+          .required();
+  return section;
+}
+
 const Section<MendKeys>& mendSection() {
   static const auto section =
       Section<MendKeys>("what may be mended in a triangle mesh besides what is safe")
@@ -108,18 +123,30 @@ const Section<EntryKeys>& entrySection() {
           .section("cylinder", &EntryKeys::cylinder, cylinderSection())
           .section("half_space", &EntryKeys::halfSpace, halfSpaceSection())
           .section("polygon", &EntryKeys::polygon, polygonSection())
+          .section("extrude", &EntryKeys::extrude, extrudeSection())
           .texts("union", &EntryKeys::unionOf, "points in any of the regions named")
           .texts("intersection", &EntryKeys::intersectionOf, "points in all of the regions named")
           .texts("difference", &EntryKeys::differenceOf,
                  "points in the first region named and in none of the others")
           .text("file", &EntryKeys::file,
                 "file, relative to the case file. 2-D: .wkt .txt .xy .dat (polygon) .geo .step "
-                ".stp .brep .msh; 3-D: .stl .obj .off .ply (closed triangle mesh) .geo .step .stp "
+                ".stp .brep .msh; 3-D: .stl .obj .off .ply (triangle mesh, closed or with "
+                "thickness) .geo .step .stp "
                 ".brep .msh")
           .number("tolerance", &EntryKeys::tolerance, "m", Range::positive(),
                   "how far the represented surface of a CAD file may be from its curved one; "
                   "default 1e-4 of the diagonal of its bounds")
           .section("mend", &EntryKeys::mend, mendSection())
+          .number(
+              "thickness", &EntryKeys::thickness, "m", Range::positive(),
+              "makes a wall of a file that holds an open surface (.stl .obj .off .ply) or open "
+              "lines (.wkt: LINESTRING, MULTILINESTRING; .txt .xy .dat); a length of the scene, "
+              "after scale")
+          .text("side", &EntryKeys::side,
+                "where the wall's thickness is, seen from the surface or line: outer, where its "
+                "normals point (to where corners run counter-clockwise; in 2-D to the right of the "
+                "line), inner, or half of it on either side",
+                {"outer", "inner", "middle"})
           .number("scale", &EntryKeys::scale, "", Range::positive(),
                   "factor on lengths; 0.001 for a mesh in millimetres (STEP files state their unit "
                   "and are read in metres)")
@@ -130,11 +157,15 @@ const Section<EntryKeys>& entrySection() {
 }
 
 void checkHasNoFileKeys(const CaseNode& entry) {
-  for (const char* key : {"tolerance", "mend"})
+  for (const char* key : {"tolerance", "mend", "thickness", "side"})
     if (const CaseNode* node = entry.find(key)) node->fail("concerns files only; remove it");
 }
 
 std::string keyOf(const CaseNode& node) { return node.path().substr(node.path().rfind('.') + 1); }
+
+bool isSetOperation(const std::string& key) {
+  return key == "union" || key == "intersection" || key == "difference";
+}
 
 const CaseNode& shapeNodeOf(const CaseNode& entry, int dimension) {
   struct Shape {
@@ -146,10 +177,11 @@ const CaseNode& shapeNodeOf(const CaseNode& entry, int dimension) {
       {"box", {1, 2, 3}, ""},
       {"disk", {2}, "use ball or cylinder in 3-D, box in 1-D"},
       {"ball", {3}, "use disk in 2-D, box in 1-D"},
-      {"annulus", {2}, "use the difference of two cylinders or balls in 3-D"},
+      {"annulus", {2}, "use extrude or the difference of two cylinders or balls in 3-D"},
       {"cylinder", {3}, "use disk (its cross-section) or box in 2-D"},
       {"half_space", {1, 2, 3}, ""},
-      {"polygon", {2}, "use a closed triangle mesh or CAD file in 3-D, box in 1-D"},
+      {"polygon", {2}, "use extrude, a closed triangle mesh or a CAD file in 3-D, box in 1-D"},
+      {"extrude", {3}, "give what is extruded itself in 2-D, box in 1-D"},
       {"union", {1, 2, 3}, ""},
       {"intersection", {1, 2, 3}, ""},
       {"difference", {1, 2, 3}, ""},

@@ -46,6 +46,12 @@ struct PolygonKeys {
   std::optional<CaseNode> holes;
 };
 
+struct ExtrudeKeys {
+  std::optional<CaseNode> of;
+  double lower = 0;
+  double upper = 1;
+};
+
 struct RotationKeys {
   std::vector<double> axis;
   double angle = 0;
@@ -64,12 +70,15 @@ struct EntryKeys {
   std::optional<CylinderKeys> cylinder;
   std::optional<HalfSpaceKeys> halfSpace;
   std::optional<PolygonKeys> polygon;
+  std::optional<ExtrudeKeys> extrude;
   std::vector<std::string> unionOf;
   std::vector<std::string> intersectionOf;
   std::vector<std::string> differenceOf;
   std::string file;
   std::optional<double> tolerance;
   std::optional<MendKeys> mend;
+  std::optional<double> thickness;
+  std::string side = "outer";
   double scale = 1;
   std::optional<CaseNode> rotate;
   std::vector<double> translate;
@@ -84,6 +93,9 @@ const CaseNode& shapeNodeOf(const CaseNode& entry, int dimension);
 
 /// The last word of a node's dotted path.
 std::string keyOf(const CaseNode& node);
+
+/// Whether the region of this key is made of others, by their names.
+bool isSetOperation(const std::string& key);
 
 /// Fails for keys that make no sense without a file.
 void checkHasNoFileKeys(const CaseNode& entry);

@@ -53,8 +53,8 @@ void addEdges(const TriangleSoup& soup, const std::vector<Side>& sides, const st
   const std::string holes = open.n > 0 ? describeHoles(holesOf(soup, sides)) : "";
   report(open, "the surface is not closed (edges with a triangle on one side only)",
          holes.empty() ? "" : ", " + holes,
-         "close the holes in the meshing tool, or have small ones closed with mend = { holes = "
-         "true } beside file");
+         "close the holes in the meshing tool, have small ones closed with mend = { holes = true } "
+         "beside file, or give a thickness there if it is meant as a thin wall");
   report(crowded, "the surface is not one sheet (edges with more than two triangles)", "",
          "remove double or inner faces in the meshing tool, or part bodies that touch along an "
          "edge");

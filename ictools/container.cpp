@@ -16,6 +16,21 @@ constexpr double stepsPerSpacing = 32;
 constexpr double marginInSpacings = 4;
 constexpr double maxCount = 127;
 
+/// Signed distance to the union of `regions`, exact within `near` [m] of a surface. Beyond it may
+/// be too small in size where set operations have their edges, of the right sign: exact distances
+/// to those take long.
+template <int Dim>
+double distanceNearSurface(const std::vector<GeometryPtr<Dim>>& regions, const Vec<Dim>& x,
+                           double near) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const auto& region : regions) {
+    double own = region->distanceBound(x);
+    if (std::abs(own) <= near) own = region->signedDistance(x);
+    distance = std::min(distance, own);
+  }
+  return distance;
+}
+
 /// One row of samples along x. Far from the surface every count is clipped, and a distance tells
 /// for how long that lasts.
 template <int Dim>
@@ -24,9 +39,7 @@ void sampleRow(const std::vector<GeometryPtr<Dim>>& regions, const Box<Dim>& dom
   const double start = x[0];
   for (std::size_t i = 0; i < row.size();) {
     x[0] = start + static_cast<double>(i) * spacing;
-    double distance = std::numeric_limits<double>::infinity();
-    for (const auto& region : regions)
-      distance = std::min(distance, region->signedDistance(domain.wrap(x)));
+    const double distance = distanceNearSurface(regions, domain.wrap(x), std::sqrt(Dim) * spacing);
     const double count = std::clamp(std::round(distance / step), -maxCount, maxCount);
     const double beyond = (std::abs(distance) - (maxCount + 1) * step) / spacing;
     auto same = static_cast<std::size_t>(std::clamp(beyond, 1.0, static_cast<double>(row.size())));

@@ -20,6 +20,7 @@ std::vector<GeometryPtr<Dim>> containerRegions(const CaseNode& root, const CaseS
                                                const SceneFrame<Dim>& frame);
 
 /// Samples the signed distance to the union of `regions` on a grid of d_ref/2 in steps of d_ref/32,
+/// exact in the cells that the surface crosses, elsewhere at most as large as it is,
 /// clipped at +-127 steps (just below 4 d_ref), over their bounds (finite on open axes) and a
 /// margin of 4 d_ref on open axes. Empty for no regions: fluid may be everywhere.
 template <int Dim>

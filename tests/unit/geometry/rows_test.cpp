@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/meshes.hpp"
 #include "geometry/box_shape.hpp"
+#include "geometry/extrusion.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/round_shapes.hpp"
 #include "geometry/set_operation.hpp"
@@ -111,6 +112,24 @@ TEST(Rows, SimpleShapes) {
     const Share share = expectSureOnRandomRows<3>(*randomSimple(space), 6);
     EXPECT_LE(share.unknown * 1000, share.sure);
   }
+}
+
+TEST(Rows, Extrusions) {
+  Random<2> plane(7);
+  Share all;
+  for (int k = 0; k < 100; ++k) {
+    const double lower = plane.number(-1, 0);
+    const auto solid = extruded(randomSimple(plane), lower, lower + plane.number(0.1, 1));
+    const Share share = expectSureOnRandomRows<3>(*solid, 6);  // three of them along the axes
+    EXPECT_LE(share.unknown * 1000, share.sure);
+    // Rows almost along z, the direction of extrusion.
+    for (const double slope : {1e-17, 1e-12, 1e-8, 1e-5, 0.9e-3, 1.1e-3}) {
+      std::vector<Row<3>> rows;
+      for (int j = -12; j <= 12; ++j) rows.push_back({{{0.1 * j, 0.05 * j, -1.5}}, 60});
+      expectSure(*solid, rows, Vec<3>{{0.05 * slope, 0, 0.05}}, all);
+    }
+  }
+  EXPECT_LE(all.unknown * 1000, all.sure);
 }
 
 TEST(Rows, NestedAndTurnedShapes) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/box_shape.hpp"
+#include "geometry/extrusion.hpp"
+#include "geometry/placement.hpp"
+#include "geometry/polygon.hpp"
 #include "geometry/round_shapes.hpp"
 #include "geometry/set_operation.hpp"
 #include "particles/errors.hpp"
@@ -113,6 +116,44 @@ TEST(SetOperations, TouchingBoxesAreOneRegion) {
   expectTrueDistances<3>(
       *solid, [&](const Vec<3>& x) { return wholeSolid.contains(x); },
       {{{-0.5, -0.5, -0.5}}, {{2.5, 1.5, 1.5}}, {}}, 300);
+}
+
+/// A narrow bore through two blocks and their seam, and a pocket that ends at the seam.
+TEST(SetOperations, SeamsWithHolesInThem) {
+  const Loop square = {{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}};
+  const Loop bore = {{{0.47, 0.47}}, {{0.53, 0.47}}, {{0.53, 0.53}}, {{0.47, 0.53}}};
+  const Loop pocket = {{{0.2, 0.7}}, {{0.3, 0.7}}, {{0.3, 0.8}}, {{0.2, 0.8}}};
+  const auto lower = makePolygon({{square, {bore, pocket}}}, "lower");
+  const auto upper = makePolygon({{square, {bore}}}, "upper");
+  const auto joined = unionOf<3>({extruded(lower, 0, 1), extruded(upper, 1, 2)});
+  expectTrueDistances<3>(
+      *joined,
+      [&](const Vec<3>& x) {
+        const Vec<2> below{{x[0], x[1]}};
+        return x[2] > 0 && x[2] < 2 && (x[2] < 1 ? lower : upper)->isInside(below);
+      },
+      {{{0.05, 0.05, 0.9}}, {{0.95, 0.95, 1.1}}, {}}, 100);
+}
+
+/// The bound has the sign of the distance, is never larger, and takes an edge for a plane at most.
+TEST(SetOperations, BoundsOfDistances) {
+  const auto block = box<3>({{-0.5, -0.5, -0.25}}, {{0.5, 0.5, 0.25}});
+  const auto bore = makeGeometry(Cylinder{{{0, 0, -1}}, {{0, 0, 1}}, 0.25});
+  Placement<3> placement;
+  placement.scale = 2;
+  placement.rotate(20, {1, 2, 3});
+  Random<3> random;
+  for (const auto& shape : {differenceOf<3>({block, bore}), unionOf<3>({block, bore}),
+                            placed(differenceOf<3>({block, bore}), placement)}) {
+    for (int k = 0; k < 1000; ++k) {
+      const Vec<3> x = random.inBox(around<3>(1));
+      const double exact = shape->signedDistance(x);
+      const double bound = shape->distanceBound(x);
+      ASSERT_EQ(bound < 0, exact < 0);
+      ASSERT_LE(std::abs(bound), std::abs(exact) + 1e-9);  // judged at 1e-10 of the size
+    }
+  }
+  EXPECT_EQ(block->distanceBound(Vec<3>{{1, 1, 0}}), std::hypot(0.5, 0.5));
 }
 
 TEST(SetOperations, NotchFlushWithTheTop) {

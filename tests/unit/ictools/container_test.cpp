@@ -3,6 +3,7 @@
 
 #include "geometry/box_shape.hpp"
 #include "geometry/round_shapes.hpp"
+#include "geometry/set_operation.hpp"
 #include "ictools/random.hpp"
 
 #include <gtest/gtest.h>
@@ -51,6 +52,26 @@ TEST(Container, UniteRegionsInThreeDimensions) {
     const double exact = std::min(left->signedDistance(x), right->signedDistance(x));
     if (std::abs(exact) > d) continue;
     EXPECT_NEAR(map.signedDistance(x), exact, 0.3 * d);  // the crease between the balls is rounded
+  }
+}
+
+/// Above a bore the nearest point is on its rim: exact at the surface, and of the right sign and
+/// not too large further out.
+TEST(Container, SetOperations) {
+  const double d = 0.05;
+  const auto block = makeGeometry(BoxShape<3>{{{{-0.5, -0.5, -0.25}}, {{0.5, 0.5, 0.25}}, {}}});
+  const auto bore = makeGeometry(Cylinder{{{0, 0, -1}}, {{0, 0, 1}}, 0.25});
+  const auto part = differenceOf<3>({block, bore});
+  const Box<3> open{Vec<3>::filled(-infinite), Vec<3>::filled(infinite), {}};
+  const auto map = containerMap<3>({part}, frameOf<3>(d, open));
+  Random random(7);
+  for (int k = 0; k < 3000; ++k) {
+    const Vec<3> x = random.pointIn(map.bounds().grown(-d));
+    const double exact = part->signedDistance(x);
+    const double error = map.signedDistance(x) - exact;
+    // Between samples d/2 apart, edges are rounded.
+    if (std::abs(exact) < d / 4) EXPECT_NEAR(error, 0, 0.3 * d);
+    if (std::abs(exact) < 3 * d) EXPECT_LT(exact > 0 ? error : -error, 0.3 * d);
   }
 }
 

@@ -3,6 +3,7 @@
 // Filling by runs of rows gives the points that asking for every signed distance gives.
 #include "bench/meshes.hpp"
 #include "geometry/box_shape.hpp"
+#include "geometry/extrusion.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/round_shapes.hpp"
 #include "geometry/set_operation.hpp"
@@ -58,6 +59,28 @@ TEST(FillRows, AlignedShapes) {
   expectSamePoints(*makeGeometry(Ball<3>{{}, 1}), 0.125);
   expectSamePoints(*makeGeometry(Cylinder{{{-1, 0, 0}}, {{1, 0, 0}}, 0.5}), 0.125);
   expectSamePoints(*makeGeometry(Cylinder{{{0, 0, -1}}, {{0, 0, 1}}, 0.5}), 0.125);
+}
+
+TEST(FillRows, Extrusions) {
+  const auto disk = makeGeometry(Ball<2>{{{0.25, 0}}, 0.5});
+  const auto rod = extruded(disk, -1, 1);
+  const auto cylinder = makeGeometry(Cylinder{{{0.25, 0, -1}}, {{0.25, 0, 1}}, 0.5});
+  const auto bar = extruded(boxOf<2>({{-1, -0.5}}, {{1, 0.5}}), -0.25, 1);
+  const auto box = boxOf<3>({{-1, -0.5, -0.25}}, {{1, 0.5, 1}});
+  expectSamePoints(*rod, 0.125);
+  expectSamePoints(*bar, 0.125);
+  Placement<3> lying;  // rows along z in the frame of the extrusion
+  lying.rotate(90, {0, 1, 0});
+  expectSamePoints(*placed(rod, lying), 0.125);
+  for (const std::string& name : latticeNames(3)) {
+    const Lattice<3> lattice(name, 0.125);
+    const DistanceBand inside{.upper = -surfaceRoundOff * 0.125};
+    const Box<3> around = box->bounds().grown(0.25);
+    EXPECT_EQ(latticePoints(lattice, around, *rod, inside),
+              latticePoints(lattice, around, *cylinder, inside));
+    EXPECT_EQ(latticePoints(lattice, around, *bar, inside),
+              latticePoints(lattice, around, *box, inside));
+  }
 }
 
 TEST(FillRows, SetOperations) {
