@@ -27,7 +27,7 @@ class Ending {
     if (settings_.tolerance && now.scatter <= *settings_.tolerance && now.move <= calm)
       return end(result, true,
                  fmt::format("scatter {:.4g} <= {:g}", now.scatter, *settings_.tolerance));
-    if (now.scatter <= negligible)
+    if (now.scatter <= negligible && now.move <= calm)
       return end(result, true, fmt::format("scatter below {:g}", negligible));
     if (hasStalled(result.history))
       return end(result, !settings_.tolerance, "the scatter falls no longer");
