@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/assemble.hpp"
 
+#include "engine/ordered_sum.hpp"
 #include "ictools/point_grid.hpp"
 #include "ictools/state.hpp"
+#include "particles/number.hpp"
 #include "particles/parallel.hpp"
 
 #include <algorithm>
@@ -18,6 +20,15 @@ constexpr FieldSet sceneFields{field::position, field::velocity, field::mass,
                                field::density,  field::pressure, field::smoothingLength,
                                field::id,       field::material};
 constexpr FieldSet wallFields{field::wall, field::normal, field::wallDistance};
+
+/// Volume of a particle where nothing is refined [m^d]; with exact masses such that all volumes add
+/// up to that of the region.
+template <int Dim>
+double plainVolumeOf(const FluidFill<Dim>& fluid, const std::vector<double>& ratios) {
+  if (ratios.empty() || fluid.settings.mass != "exact") return fluid.particleVolume;
+  return fluid.volume.value /
+         orderedSum<double>(ratios.size(), [&](std::size_t k) { return power<Dim>(ratios[k]); });
+}
 
 /// State of the particles of fluid `material`, from `first` on; their positions are there.
 template <int Dim>
@@ -38,13 +49,18 @@ void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
   const auto lengths = particles[field::smoothingLength].subspan(first, n);
   const auto materials = particles[field::material].subspan(first, n);
   const bool hasEqualMasses = settings.spacingFollowsDensity();
+  std::vector<double> ratios;  // of spacings to that of the fluid
+  if (fluid.resolution) ratios = ratiosAt<Dim>(*fluid.resolution, positions);
+  const double plainVolume = plainVolumeOf<Dim>(fluid, ratios);
   const auto fill = [&](std::size_t k, const FluidState& here) {
     velocities[k] = velocity;
     densities[k] = here.density;
     pressures[k] = here.pressure;
-    masses[k] = hasEqualMasses ? fluid.particleMass : here.density * fluid.particleVolume;
+    const double ratio = ratios.empty() ? 1 : ratios[k];
+    masses[k] =
+        hasEqualMasses ? fluid.particleMass : here.density * (plainVolume * power<Dim>(ratio));
     materials[k] = material;
-    lengths[k] = frame.smoothingLength() * fluid.lengthScale;
+    lengths[k] = frame.smoothingLength() * fluid.lengthScale * ratio;
     if (hasEqualMasses)
       lengths[k] *=
           std::pow(fluid.particleMass / here.density / fluid.lattice.cellVolume(), 1.0 / Dim);
@@ -81,6 +97,7 @@ void addWall(const WallFill<Dim>& wall, int row, std::size_t first, const SceneF
     particles[field::density][i] = here.density;
     particles[field::pressure][i] = here.pressure;
     particles[field::mass][i] = here.density * point.volume;
+    particles[field::smoothingLength][i] = frame.solver.smoothingLength * wall.spacing;
     particles[field::wall][first + k] = row;
     particles[field::normal][first + k] = point.normal;
     particles[field::wallDistance][first + k] = point.depth;
@@ -141,12 +158,9 @@ ParticleSet<Dim> assemble(std::vector<FluidFill<Dim>>& fluids,
     addWall(walls[k], static_cast<int>(k), first, frame, particles);
     first += walls[k].points.size();
   }
-  const auto lengths = particles[field::smoothingLength];
   const auto ids = particles[field::id];
-  forEachIndex(particles.size(), [&](std::size_t i) {
-    if (i >= nFluid) lengths[i] = frame.smoothingLength();
-    ids[i] = i < nFluid ? nWalls + i + 1 : i - nFluid + 1;
-  });
+  forEachIndex(particles.size(),
+               [&](std::size_t i) { ids[i] = i < nFluid ? nWalls + i + 1 : i - nFluid + 1; });
   return particles;
 }
 

@@ -26,10 +26,7 @@ constexpr double secondsAnInteraction = 4e-9;  // docs/benchmarks.md: 3.8 to 4.2
 template <int Dim>
 double expectedFluid(const std::vector<FluidFill<Dim>>& fluids) {
   double n = 0;
-  for (const auto& fluid : fluids)
-    n += fluid.settings.positions
-             ? static_cast<double>(fluid.points.size())
-             : std::min(fluid.volume.value, fluid.box.volume()) / fluid.lattice.cellVolume();
+  for (const auto& fluid : fluids) n += fluid.expected;
   return n;
 }
 
@@ -72,9 +69,7 @@ void checkMemory(const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim
   const double needed = programItself + generateBytesAParticle * expected;
   const double available = availableMemory().value_or(needed);
   if (needed <= available) return;
-  const auto largest = std::ranges::max_element(fluids, {}, [](const auto& fluid) {
-    return fluid.volume.value / fluid.lattice.cellVolume();
-  });
+  const auto largest = std::ranges::max_element(fluids, {}, &FluidFill<Dim>::expected);
   at(largest->settings.node, "region")
       .fail(fmt::format("the fluids would hold {:.3g} particles and need {} of memory, {} are "
                         "available; a spacing of at least {:.3g} m is needed (are the lengths in "

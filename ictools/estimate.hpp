@@ -20,7 +20,7 @@ struct Estimate {
   double stepTime = 0;        ///< of one thread [s]
 };
 
-/// Fluid particles that the regions hold: volume over the lattice's cell.
+/// Fluid particles by the estimates that `countExpected` made.
 template <int Dim>
 double expectedFluid(const std::vector<FluidFill<Dim>>& fluids);
 

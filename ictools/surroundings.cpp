@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/surroundings.hpp"
 
-#include "ictools/equal_masses.hpp"
+#include "ictools/number_density.hpp"
 #include "ictools/point_grid.hpp"
 
 #include <algorithm>
@@ -16,12 +16,7 @@ namespace {
 template <int Dim>
 Lattice<Dim> continued(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double spacing) {
   if (spacing == frame.spacing * fluid.lengthScale) return fluid.lattice;
-  const std::string& name =
-      fluid.settings.lattice == "random" ? latticeNames(Dim).front() : fluid.settings.lattice;
-  Lattice<Dim> lattice(name, spacing);
-  lattice.fitTo(frame.domain);
-  lattice.startAt(fluid.box.lower);
-  return lattice;
+  return latticeWith(fluid, spacing, frame);
 }
 
 /// Removes the points that `isTaken(k)` names.
@@ -67,7 +62,7 @@ struct Shell {
 /// From the particles nearest to the surface: the finest of their spacings, the largest support.
 template <int Dim>
 Shell shellOf(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double lengthOverSpacing) {
-  if (!fluid.settings.spacingFollowsDensity())
+  if (!fluid.spacingVaries())
     return {frame.support() * fluid.lengthScale, frame.spacing * fluid.lengthScale};
   const auto volumes = targetVolumes<Dim>(fluid, fluid.points, frame.domain);
   const auto distances = signedDistances<Dim>(*fluid.region, fluid.points);
@@ -80,7 +75,7 @@ Shell shellOf(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double 
   }
   if (most == 0) return {frame.support(), frame.spacing};
   const double cellEdge = std::pow(fluid.lattice.cellVolume(), 1.0 / Dim);
-  return {2 * lengthOverSpacing * most, frame.spacing * least / cellEdge};
+  return {2 * lengthOverSpacing * most, frame.spacing * fluid.lengthScale * least / cellEdge};
 }
 
 }  // namespace
@@ -105,7 +100,8 @@ std::vector<FixedPoint<Dim>> surroundings(const std::vector<FluidFill<Dim>>& flu
     const Shell shell = shellOf(fluids[k], frame, lengthOverSpacing);
     const Lattice<Dim> lattice = continued(fluids[k], frame, shell.spacing);
     for (const Vec<Dim>& x : freeShell(fluids, k, walls, frame, shell.reach, lattice))
-      if (!std::isfinite(taken.nearest(x))) fixed.push_back({x, lattice.cellVolume()});
+      if (!(taken.nearest(x) < closestInWalls * std::min(frame.spacing, shell.spacing)))
+        fixed.push_back({x, lattice.cellVolume()});
   }
   return fixed;
 }
