@@ -101,6 +101,7 @@ class Cutter {
   /// Keeps the pieces that are small enough and returns the parts of the others.
   std::vector<Piece<Dim>> cut(const std::vector<Piece<Dim>>& pieces) {
     std::vector<Vec<Dim>> centers;
+    centers.reserve(pieces.size());
     for (const auto& piece : pieces) centers.push_back(piece.center);
     std::vector<double> allowed(pieces.size());
     parallelFor((pieces.size() + batch - 1) / batch, [&](std::size_t b) {
@@ -157,10 +158,11 @@ void sortAlongCurve(const Box<Dim>& box, Cells<Dim>& cells) {
   std::sort(keys.begin(), keys.end());
   Cells<Dim> sorted;
   sorted.isSampled = cells.isSampled;
-  for (const auto& [key, k] : keys) {
-    sorted.centers.push_back(cells.centers[k]);
-    sorted.volumes.push_back(cells.volumes[k]);
-  }
+  sorted.centers.reserve(keys.size());
+  for (const auto& [key, k] : keys) sorted.centers.push_back(cells.centers[k]);
+  std::vector<Vec<Dim>>().swap(cells.centers);
+  sorted.volumes.reserve(keys.size());
+  for (const auto& [key, k] : keys) sorted.volumes.push_back(cells.volumes[k]);
   cells = std::move(sorted);
 }
 

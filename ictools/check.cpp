@@ -117,6 +117,7 @@ void estimateDraft(Draft<Dim>& draft, CheckReport& report) {
   }
   report.estimate =
       estimateOf(nFluid, nWalls, isCounted, draft.fluids.front().lattice, draft.frame);
+  report.estimate->generateMemory = memoryToGenerate(draft.fluids, nWalls);
 }
 
 template <int Dim>

@@ -18,6 +18,9 @@ namespace {
 // particles in 188 bytes each and of 4.7e6 in 163; plenum-sph ran one of 2.5e5 in 262.
 constexpr double programItself = 25e6;  // bytes
 constexpr double generateBytesAParticle = 190;
+// Of fluids whose spacing varies: the cells that their places are found in. A refined ball of 9.9e5
+// particles took 627 bytes each, one of 2.9e6 640.
+constexpr double cellBytesAParticle = 640;
 constexpr double runBytesAParticle = 280;
 constexpr double secondsAnInteraction = 4e-9;  // docs/benchmarks.md: 3.8 to 4.2 ns
 
@@ -49,6 +52,14 @@ double expectedWalls(const std::vector<WallFill<Dim>>& walls, const Box<Dim>& bo
 }
 
 template <int Dim>
+double memoryToGenerate(const std::vector<FluidFill<Dim>>& fluids, double nWalls) {
+  double bytes = programItself + generateBytesAParticle * nWalls;
+  for (const auto& fluid : fluids)
+    bytes += fluid.expected * (fluid.spacingVaries() ? cellBytesAParticle : generateBytesAParticle);
+  return bytes;
+}
+
+template <int Dim>
 Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const Lattice<Dim>& lattice,
                     const SceneFrame<Dim>& frame) {
   constexpr double unitBall[] = {2, std::numbers::pi, 4 * std::numbers::pi / 3};
@@ -56,7 +67,6 @@ Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const Lattice<
   estimate.neighbours =
       unitBall[Dim - 1] * std::pow(frame.support(), Dim) / lattice.cellVolume() - 1;
   const double n = nFluid + nWalls;
-  estimate.generateMemory = programItself + generateBytesAParticle * n;
   estimate.runMemory = programItself + runBytesAParticle * n;
   const double nInteracting = frame.solver.wallsEvolve() ? n : nFluid;
   estimate.stepTime = secondsAnInteraction * nInteracting * estimate.neighbours;
@@ -66,16 +76,17 @@ Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const Lattice<
 template <int Dim>
 void checkMemory(const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame) {
   const double expected = expectedFluid(fluids);
-  const double needed = programItself + generateBytesAParticle * expected;
+  const double needed = memoryToGenerate(fluids, 0);
   const double available = availableMemory().value_or(needed);
   if (needed <= available) return;
   const auto largest = std::ranges::max_element(fluids, {}, &FluidFill<Dim>::expected);
   at(largest->settings.node, "region")
       .fail(fmt::format("the fluids would hold {:.3g} particles and need {} of memory, {} are "
                         "available; a spacing of at least {:.3g} m is needed (are the lengths in "
-                        "metres?)",
+                        "metres?){}",
                         expected, printedBytes(needed), printedBytes(available),
-                        frame.spacing * std::pow(needed / available, 1.0 / Dim)));
+                        frame.spacing * std::pow(needed / available, 1.0 / Dim),
+                        largest->resolution ? ", or a larger one in [[refine]]" : ""));
 }
 
 std::string describe(const Estimate& estimate) {
@@ -98,14 +109,17 @@ std::string describe(const Estimate& estimate) {
 
 template double expectedFluid(const std::vector<FluidFill<1>>&);
 template double expectedWalls(const std::vector<WallFill<1>>&, const Box<1>&);
+template double memoryToGenerate(const std::vector<FluidFill<1>>&, double);
 template Estimate estimateOf(double, double, bool, const Lattice<1>&, const SceneFrame<1>&);
 template void checkMemory(const std::vector<FluidFill<1>>&, const SceneFrame<1>&);
 template double expectedFluid(const std::vector<FluidFill<2>>&);
 template double expectedWalls(const std::vector<WallFill<2>>&, const Box<2>&);
+template double memoryToGenerate(const std::vector<FluidFill<2>>&, double);
 template Estimate estimateOf(double, double, bool, const Lattice<2>&, const SceneFrame<2>&);
 template void checkMemory(const std::vector<FluidFill<2>>&, const SceneFrame<2>&);
 template double expectedFluid(const std::vector<FluidFill<3>>&);
 template double expectedWalls(const std::vector<WallFill<3>>&, const Box<3>&);
+template double memoryToGenerate(const std::vector<FluidFill<3>>&, double);
 template Estimate estimateOf(double, double, bool, const Lattice<3>&, const SceneFrame<3>&);
 template void checkMemory(const std::vector<FluidFill<3>>&, const SceneFrame<3>&);
 

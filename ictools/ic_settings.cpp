@@ -272,7 +272,7 @@ const Section<RefineSettings>& refineSection() {
           .required()
           .number("distance", &S::distance, "m", Range::notNegative(),
                   "of near: how far from the surface the place reaches")
-          .number("growth", &S::growth, "", Range::above(0, 0.5),
+          .number("growth", &S::growth, "", Range::above(0, 0.3),
                   "metres that the spacing grows in each metre away from the place");
   return section;
 }

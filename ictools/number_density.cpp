@@ -256,13 +256,13 @@ void countExpected(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& f
                       fluid.expected));
   }
   for (std::size_t r = 0; r < isTouched.size(); ++r) {
-    const RefineSettings& settings = resolution->refinements()[r].settings;
+    const RefineSettings& settings = resolution->refinements()[r].settings();
     if (!isTouched[r])
       warn(
           fmt::format("{}: no fluid touches the place that is refined, {}; name another region, "
                       "or leave this [[refine]] out",
                       at(settings.node, settings.regionKey()).where(),
-                      resolution->refinements()[r].region->describe()));
+                      resolution->refinements()[r].region().describe()));
   }
 }
 

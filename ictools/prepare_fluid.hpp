@@ -42,7 +42,8 @@ void prepareTogether(std::vector<FluidFill<Dim>>& fluids, const CaseSettings& se
   matchMasses(fluids, frame);
   std::vector<Refinement<Dim>> refinements;
   for (const RefineSettings& refinement : readRefinements(settings))
-    refinements.push_back({refinement, regions.find(at(refinement.node, refinement.regionKey()))});
+    refinements.emplace_back(refinement, regions.find(at(refinement.node, refinement.regionKey())),
+                             frame.spacing, frame.domain);
   if (!refinements.empty()) {
     const auto resolution =
         std::make_shared<const Resolution<Dim>>(std::move(refinements), frame.spacing);

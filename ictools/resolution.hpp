@@ -10,14 +10,31 @@
 
 namespace plenum {
 
-/// A place where particles stand closer, and how their spacing grows away from it.
+/// A place where particles stand closer, and how their spacing grows away from it; with its images
+/// behind periodic faces.
 template <int Dim>
-struct Refinement {
-  RefineSettings settings;
-  GeometryPtr<Dim> region;
+class Refinement {
+ public:
+  /// `spacing` is d_ref [m].
+  Refinement(RefineSettings settings, GeometryPtr<Dim> region, double spacing,
+             const Box<Dim>& domain);
 
-  /// Distances of points from the refined place [m]; 0 inside of it.
+  const RefineSettings& settings() const { return settings_; }
+  const Geometry<Dim>& region() const { return *region_; }
+
+  /// How far from the place the spacing is below d_ref [m].
+  double reach() const { return reach_; }
+
+  /// Distances of points from the place [m], 0 inside of it; beyond `reach` something between that
+  /// and the distance.
   void distances(std::span<const Vec<Dim>> points, std::span<double> result) const;
+
+ private:
+  RefineSettings settings_;
+  GeometryPtr<Dim> region_;
+  Box<Dim> bounds_;                ///< of the region
+  std::vector<Vec<Dim>> periods_;  ///< to all images that may matter, itself included
+  double reach_;
 };
 
 /// The spacing that is wanted at a place, over that of the scene:
