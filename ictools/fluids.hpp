@@ -24,6 +24,7 @@ struct FluidFill {
   std::vector<Vec<Dim>> points = {};
   Measure volume = {};         ///< of the region [m^d]
   double expected = 0;         ///< number of particles, estimated before there are any
+  double finest = 1;           ///< spacing where it is finest, over that of the lattice; estimated
   double particleVolume = 0;   ///< [m^d]; of particles of equal mass that of the mean, of a refined
                                ///< fluid that where it is not refined
   double particleMass = 0;     ///< of all particles of a profile with equal masses [kg]

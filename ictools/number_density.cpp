@@ -36,18 +36,17 @@ double plainEdge(const FluidFill<Dim>& fluid) {
   return std::pow(fluid.lattice.cellVolume(), 1.0 / Dim);
 }
 
-/// Cells whose edges are the spacing times `factor`.
+/// Writes the edge that a particle's volume has at each center over that of a lattice's cell: the
+/// finest of the fluid, `otherwise`, where a profile has no density.
 template <int Dim>
-CellSizes<Dim> sizesOf(const FluidFill<Dim>& fluid, double factor) {
-  CellSizes<Dim> sizes;
-  sizes.coarsest = factor * plainEdge(fluid);
-  sizes.at = [resolution = fluid.resolution, coarsest = sizes.coarsest](
-                 std::span<const Vec<Dim>> centers, std::span<double> edges) {
-    std::fill(edges.begin(), edges.end(), 1.0);
-    if (resolution) resolution->at(centers, edges);
-    for (double& edge : edges) edge *= coarsest;
-  };
-  return sizes;
+void edgeRatios(const FluidFill<Dim>& fluid, double otherwise, std::span<const Vec<Dim>> centers,
+                std::span<double> ratios) {
+  if (fluid.resolution) return fluid.resolution->at(centers, ratios);
+  fluid.profile->at(centers, ratios);
+  for (double& ratio : ratios) {
+    const bool isDensity = ratio > 0 && std::isfinite(ratio);
+    ratio = isDensity ? std::pow(fluid.settings.density / ratio, 1.0 / Dim) : otherwise;
+  }
 }
 
 template <int Dim>
@@ -71,17 +70,20 @@ std::vector<double> particlesIn(const FluidFill<Dim>& fluid, const Cells<Dim>& c
   return particles;
 }
 
-/// Cells for an estimate: two spacings long, over which a spacing grows by a fifth at the usual
-/// growth, and of any length where it does not grow.
+/// Cells for an estimate. Of a profile: one for each cell of the lattice. Of a refinement: two
+/// spacings long, over which a spacing grows by a fifth at the usual growth, and of any length
+/// where it does not grow.
 template <int Dim>
 CellSizes<Dim> estimateSizes(const FluidFill<Dim>& fluid) {
+  const double longest = (fluid.resolution ? 2 : 1) * plainEdge(fluid);
   CellSizes<Dim> sizes;
   sizes.most = 100000;  // the error of so many samples is below a percent
-  const double longest = 2 * plainEdge(fluid);
   sizes.coarsest =
       std::max(longest, std::pow(fluid.box.volume() / static_cast<double>(sizes.most), 1.0 / Dim));
   sizes.at = [resolution = fluid.resolution, longest](std::span<const Vec<Dim>> centers,
                                                       std::span<double> edges) {
+    std::fill(edges.begin(), edges.end(), longest);
+    if (!resolution) return;
     std::vector<double> plain(centers.size());
     resolution->plainAround(centers, plain);
     resolution->at(centers, edges);
@@ -98,25 +100,18 @@ double volumeOver(const FluidFill<Dim>& fluid, const Cells<Dim>& cells) {
   return fluid.volume.value / std::accumulate(cells.volumes.begin(), cells.volumes.end(), 0.0);
 }
 
-/// The edge at which the densest place of a profile has two cells a particle, along each axis.
+/// The cells that a fluid is filled by: some for each particle. Those of a profile are at first no
+/// larger than a cell of the lattice, so that nothing of that size is missed.
 template <int Dim>
-double fineEdge(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame) {
-  const Cells<Dim> coarse = cellsOf(fluid, sizesOf(fluid, 1), frame);
-  if (coarse.centers.empty())
-    at(fluid.settings.node, "region").fail("gets no particle; a smaller spacing is needed");
-  const auto density = densitiesAt<Dim>(*fluid.profile, coarse.centers, nodeOf(fluid));
-  const double most = *std::max_element(density.begin(), density.end());
-  const double edge =
-      0.5 * plainEdge(fluid) * std::pow(std::min(1.0, fluid.settings.density / most), 1.0 / Dim);
-  constexpr double mostCells = 4e8;  // of 24 bytes and two numbers of 8: 16 GB
-  const double expected =
-      std::accumulate(coarse.volumes.begin(), coarse.volumes.end(), 0.0) / power<Dim>(edge);
-  if (expected > mostCells)
-    nodeOf(fluid).fail(
-        fmt::format("asks for {:.3g} cells to find places in, more than {:g}; a larger spacing or "
-                    "smaller contrast is needed",
-                    expected, mostCells));
-  return edge;
+CellSizes<Dim> fillSizes(const FluidFill<Dim>& fluid, double finest) {
+  const double edge = plainEdge(fluid) / cellsPerSpacing;
+  CellSizes<Dim> sizes;
+  sizes.coarsest = fluid.resolution ? edge : plainEdge(fluid);
+  sizes.at = [&fluid, edge, finest](std::span<const Vec<Dim>> centers, std::span<double> edges) {
+    edgeRatios(fluid, finest, centers, edges);
+    for (double& here : edges) here *= edge;
+  };
+  return sizes;
 }
 
 /// A share of the row of cells: the place of one particle.
@@ -220,6 +215,16 @@ std::vector<double> volumesOfProfile(const FluidFill<Dim>& fluid, std::span<cons
   return volumes;
 }
 
+/// Most particles in a cell of the lattice.
+template <int Dim>
+double finestShare(const FluidFill<Dim>& fluid, const Cells<Dim>& cells,
+                   const std::vector<double>& particles) {
+  double most = 1;
+  for (std::size_t k = 0; k < particles.size(); ++k)
+    most = std::max(most, particles[k] / cells.volumes[k] * fluid.lattice.cellVolume());
+  return most;
+}
+
 /// Marks the refinements whose place some of the cells reach; all if not all cells are there.
 template <int Dim>
 void markTouched(const Resolution<Dim>& resolution, const Cells<Dim>& cells, double reach,
@@ -240,20 +245,23 @@ void countExpected(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& f
   const ResolutionPtr<Dim> resolution = fluids.front().resolution;
   std::vector<bool> isTouched(resolution ? resolution->refinements().size() : 0);
   for (FluidFill<Dim>& fluid : fluids) {
-    fluid.expected = fluid.settings.positions ? static_cast<double>(fluid.points.size())
-                                              : std::min(fluid.volume.value, fluid.box.volume()) /
-                                                    fluid.lattice.cellVolume();
-    if (!resolution) continue;
+    const double plain =
+        std::min(fluid.volume.value, fluid.box.volume()) / fluid.lattice.cellVolume();
+    fluid.expected = fluid.settings.positions ? static_cast<double>(fluid.points.size()) : plain;
+    if (!fluid.spacingVaries()) continue;
     const Cells<Dim> cells = cellsOf(fluid, estimateSizes(fluid), frame);
     if (cells.centers.empty()) continue;  // says so when it is filled
     const auto wanted = particlesIn(fluid, cells);
     fluid.expected = volumeOver(fluid, cells) * std::accumulate(wanted.begin(), wanted.end(), 0.0);
-    markTouched(*resolution, cells, std::sqrt(Dim) * plainEdge(fluid), isTouched);
+    fluid.finest = fluid.resolution ? fluid.resolution->finest()
+                                    : std::pow(finestShare(fluid, cells, wanted), -1.0 / Dim);
+    if (resolution) markTouched(*resolution, cells, std::sqrt(Dim) * plainEdge(fluid), isTouched);
     if (fluid.expected >= mostParticles)
       nodeOf(fluid).fail(
-          fmt::format("would hold {:.3g} particles with its [[refine]], more than 2^31; a larger "
-                      "spacing of the case or of [[refine]] is needed",
-                      fluid.expected));
+          fmt::format("asks for {:.3g} particles with its {}, more than 2^31; a "
+                      "larger spacing of the case{} is needed",
+                      fluid.expected, resolution ? "[[refine]]" : "profile",
+                      resolution ? " or of [[refine]]" : ""));
   }
   for (std::size_t r = 0; r < isTouched.size(); ++r) {
     const RefineSettings& settings = resolution->refinements()[r].settings();
@@ -268,23 +276,12 @@ void countExpected(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& f
 
 template <int Dim>
 void fillByNumberDensity(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, Random random) {
-  CellSizes<Dim> sizes = sizesOf(fluid, 1 / cellsPerSpacing);
-  if (!fluid.resolution) {
-    const double edge = fineEdge(fluid, frame);
-    sizes.coarsest = edge;
-    sizes.at = [edge](auto, std::span<double> edges) {
-      std::fill(edges.begin(), edges.end(), 2 * edge);  // none is cut again
-    };
-  }
-  const Cells<Dim> cells = cellsOf(fluid, sizes, frame);
+  const Cells<Dim> cells = cellsOf(fluid, fillSizes(fluid, fluid.finest), frame);
   if (cells.centers.empty())
     at(fluid.settings.node, "region").fail("gets no particle; a smaller spacing is needed");
   const auto wanted = particlesIn(fluid, cells);
   const double total =
       volumeOver(fluid, cells) * std::accumulate(wanted.begin(), wanted.end(), 0.0);
-  if (total >= mostParticles)
-    nodeOf(fluid).fail(fmt::format(
-        "asks for {:.3g} particles, more than 2^31; a larger spacing is needed", total));
   const double n = std::max(1.0, std::round(total));
   const double share = total / n;
   if (fluid.resolution)

@@ -12,8 +12,9 @@
 namespace plenum {
 
 /// Estimates how many particles each fluid will have, to about a percent, without placing any:
-/// the integral of the number density, or volume over the lattice's cell. Sets `expected`. Throws
-/// InputError if that are more than 2^31. Warns of refinements that touch no fluid.
+/// the integral of the number density, or volume over the lattice's cell. Sets `expected` and
+/// `finest`. Throws InputError where a profile is not positive, and if there are more than 2^31
+/// particles. Warns of refinements that touch no fluid.
 template <int Dim>
 void countExpected(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
                    const Warn& warn);
@@ -23,8 +24,8 @@ void countExpected(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& f
 /// these are put in a row along Hilbert's curve, and the row is divided into shares of one particle
 /// each. It stands in the middle of its share, or at random in it if the lattice is `random`.
 /// Sets `points`, and `particleMass` or `volumeFactor`; the sum of the masses is the profile's
-/// integral by the cells. Throws InputError where the profile is not positive, or if it asks for
-/// more than 2^31 particles or 4e8 cells.
+/// integral by the cells. Throws InputError where the profile is not positive. `countExpected` was
+/// called.
 template <int Dim>
 void fillByNumberDensity(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, Random random);
 
