@@ -104,9 +104,10 @@ void addWall(const WallFill<Dim>& wall, int row, std::size_t first, const SceneF
   }
 }
 
-/// Smallest distance of two particles [m].
+/// Smallest distance of two particles [m]; `finest` is that which is expected.
 template <int Dim>
-double minDistance(std::span<const Vec<Dim>> points, const Box<Dim>& domain, double spacing) {
+double minDistance(std::span<const Vec<Dim>> points, const Box<Dim>& domain, double spacing,
+                   double finest) {
   Box<Dim> box = domain;
   for (int a = 0; a < Dim; ++a)
     if (!box.isPeriodic(a)) {
@@ -116,7 +117,7 @@ double minDistance(std::span<const Vec<Dim>> points, const Box<Dim>& domain, dou
   if (points.empty()) return 0;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   // Of particles at their spacing small cells find the pair; larger ones are made only if need be.
-  for (const double reach : {1.05 * spacing, 1.5 * spacing}) {
+  for (const double reach : {1.05 * finest, 1.5 * finest, 1.5 * spacing}) {
     const PointGrid<Dim> grid(box, reach, points);
     std::vector<double> smallest((points.size() + batchLength - 1) / batchLength, infinity);
     parallelFor(smallest.size(), [&](std::size_t b) {
@@ -172,9 +173,11 @@ std::vector<std::pair<std::string, double>> qualityFigures(
   std::vector<std::pair<std::string, double>> figures;
   figures.emplace_back("fluid particles", particles.nFluid());
   figures.emplace_back("wall particles", particles.nWalls());
+  const auto [least, most] = std::ranges::minmax(particles[field::smoothingLength]);
   figures.emplace_back(
       "smallest distance / d_ref",
-      minDistance<Dim>(std::as_const(particles)[field::position], domain, spacing) / spacing);
+      minDistance<Dim>(particles[field::position], domain, spacing, spacing * least / most) /
+          spacing);
   std::size_t i = 0;
   for (const auto& fluid : fluids) {
     const std::string& name = fluid.settings.name;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/estimate.hpp"
 
-#include "ictools/random.hpp"
+#include "ictools/cells.hpp"
 #include "particles/memory.hpp"
 
 #include <fmt/format.h>
@@ -35,18 +35,28 @@ double expectedFluid(const std::vector<FluidFill<Dim>>& fluids) {
 
 template <int Dim>
 double expectedWalls(const std::vector<WallFill<Dim>>& walls, const Box<Dim>& box) {
-  constexpr int nTrials = 20000;  // a band of 5 % of the box is met a thousand times: to 3 %
-  Random random(1);
-  std::vector<Vec<Dim>> trials;
-  for (int k = 0; k < nTrials; ++k) trials.push_back(random.pointIn(box));
   double n = 0;
   for (const auto& wall : walls) {
-    const auto distances = signedDistances<Dim>(*wall.solid.geometry, trials);
-    const auto nHits = std::ranges::count_if(distances, [&](double distance) {
-      const double depth = wall.solid.depth(distance);
-      return depth >= 0 && depth <= wall.thickness;
-    });
-    n += static_cast<double>(nHits) / nTrials * box.volume() / wall.lattice.cellVolume();
+    const auto depths = [&](std::span<const Vec<Dim>> points, std::span<double> depth) {
+      wall.solid.geometry->signedDistance(points, depth);
+      for (double& d : depth) d = wall.solid.depth(d);
+    };
+    CellSizes<Dim> sizes;  // fine at the layers only
+    sizes.most = 20000;    // of which a third or more are in the layers: to some percent
+    sizes.coarsest = std::pow(box.volume() / 1000, 1.0 / Dim);
+    sizes.at = [&](std::span<const Vec<Dim>> centers, std::span<double> edges) {
+      depths(centers, edges);
+      for (double& edge : edges) {
+        const double away = std::max(-edge, edge - wall.thickness);
+        edge = std::max(wall.thickness / 4, 2 / std::sqrt(Dim) * away);
+      }
+    };
+    const Cells<Dim> cells = cellsOf<Dim>(nullptr, box, sizes, 0);
+    std::vector<double> depth(cells.centers.size());
+    depths(cells.centers, depth);
+    for (std::size_t k = 0; k < depth.size(); ++k)
+      if (depth[k] >= 0 && depth[k] <= wall.thickness)
+        n += cells.volumes[k] / wall.lattice.cellVolume();
   }
   return n;
 }

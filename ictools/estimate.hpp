@@ -24,7 +24,7 @@ struct Estimate {
 template <int Dim>
 double expectedFluid(const std::vector<FluidFill<Dim>>& fluids);
 
-/// Wall particles by the share of random places in `box` that are in the layers; to some percent.
+/// Wall particles by the volume of the layers in `box`; to some percent.
 template <int Dim>
 double expectedWalls(const std::vector<WallFill<Dim>>& walls, const Box<Dim>& box);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/walls.hpp"
 
+#include "ictools/layer_points.hpp"
 #include "ictools/point_grid.hpp"
 #include "ictools/wall_resolution.hpp"
 #include "particles/findings.hpp"
+#include "particles/memory.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -59,6 +61,22 @@ void leaveToFluid(WallFill<Dim>& wall, const PointGrid<Dim>& fluid, double spaci
   std::erase_if(wall.points, [&](const WallPoint<Dim>& point) {
     return fluid.nearest(point.position) < 0.1 * spacing;
   });
+}
+
+/// Layers in two dimensions are traced on a grid over all of the box: a wall much finer than the
+/// rest may want more of it than there is memory for.
+template <int Dim>
+void checkTracing(const WallFill<Dim>& wall, const Box<Dim>& box) {
+  if (Dim != 2 || wall.settings.method != "conformal") return;
+  const double needed = bytesOfTracing(wall.spacing, box.volume());
+  const double available = availableMemory().value_or(needed);
+  if (needed <= available) return;
+  at(wall.settings.node, "method")
+      .fail(
+          fmt::format("conformal layers {:g} m apart in a scene of {:g} m^2 need {} of memory, {} "
+                      "are available; set method = \"lattice\", or a larger spacing of the "
+                      "case or of [[refine]]",
+                      wall.spacing, box.volume(), printedBytes(needed), printedBytes(available)));
 }
 
 template <int Dim>
@@ -172,10 +190,13 @@ void fillWalls(std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Di
   if (walls.empty()) return;
   const Box<Dim> box = wallBox(walls, fluids, container, frame);
   const std::vector<Vec<Dim>> fluidPoints = allPoints(fluids);
-  const PointGrid<Dim> fluid(box, frame.spacing, fluidPoints);
+  double finest = frame.spacing;  // cells as small as refined fluid, but larger than what is asked
+  for (const auto& wall : walls) finest = std::min(finest, wall.spacing);
+  const PointGrid<Dim> fluid(box, std::max(finest, 0.1 * frame.spacing), fluidPoints);
   PointGrid<Dim> taken(box, closestInWalls * frame.spacing, fluidPoints.size());
   for (std::size_t w = 0; w < walls.size(); ++w) {
     WallFill<Dim>& wall = walls[w];
+    checkTracing(wall, box);
     wall.points = wall.settings.method == "lattice"
                       ? latticeLayers(wall.solid, wall.lattice, wall.spacing, wall.thickness, box)
                       : conformalLayers(wall.solid, wall.spacing, wall.layers, box);

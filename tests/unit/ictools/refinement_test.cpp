@@ -176,8 +176,8 @@ TEST(Refinement, InsideARegion) {
 }
 
 TEST(Refinement, WorksWithEachMethodOfRelaxation) {
-  // Lloyd's method reaches what it does on even sets (docs/relaxation.md, 2-D: 3.3 %); Voronoi moves
-  // have no rest where smoothing lengths differ and leave the set as it starts.
+  // Lloyd's method reaches what it does on even sets (docs/relaxation.md, 2-D: 3.3 %); Voronoi
+  // moves have no rest where smoothing lengths differ and leave the set as it starts.
   for (const auto& [method, bound] : {std::pair{"packing", 0.01}, {"wvt", 0.05}, {"lloyd", 0.05}}) {
     const std::string relax = fmt::format("method = \"{}\"\nmax_iterations = 200", method);
     EXPECT_LE(relaxedScatter(test::sceneOf<2>(annulus(0.5, "conformal", relax))), bound) << method;
@@ -375,6 +375,15 @@ TEST(Refinement, TooManyParticlesAreFoundBeforeTheyAreMade) {
   EXPECT_NE(test::messageOf<2>(surface).find("more than 2^31"), std::string::npos);
 }
 
+TEST(Refinement, WallsThatAreTooFineToTraceAreRefused) {
+  // Nodes 1e-6 m apart in .05 m^2 take 4e11 bytes; of fluid there are 2e5 particles.
+  if (availableMemory().value_or(4e11) >= 4e11) GTEST_SKIP() << "this machine has the memory";
+  const std::string text =
+      replaced(annulus(0.001), "spacing = 0.001", "spacing = 0.001\ngrowth = 0.3");
+  const std::string message = test::messageOf<2>(text);
+  EXPECT_NE(message.find("method = \"lattice\""), std::string::npos) << message;
+}
+
 TEST(Refinement, EstimatesToAPercent) {
   // A spacing at which fluid and walls are too many to be counted.
   const std::string text = replaced(annulus(0.5), "spacing = 0.005", "spacing = 0.00005");
@@ -389,6 +398,9 @@ TEST(Refinement, EstimatesToAPercent) {
     wanted += 2 * pi * (0.04 + x) / (std::sqrt(0.75) * s * s) * 0.00025 / n;
   }
   EXPECT_NEAR(report.estimate->nFluid / wanted, 1, 0.01);  // 1e5 samples of a narrow band
+  // Three layers on each side: of the shaft half as thick, and twice as many in each.
+  const double shaft = 2 * pi * 0.04 * 3 / 0.000025, housing = 2 * pi * 0.1 * 3 / 0.00005;
+  EXPECT_NEAR(report.estimate->nWalls * std::sqrt(0.75) / (shaft + housing), 1, 0.05);
 }
 
 }  // namespace
