@@ -2,7 +2,7 @@
 #include "ictools/arrangement.hpp"
 
 #include "engine/ordered_sum.hpp"
-#include "ictools/equal_masses.hpp"
+#include "ictools/number_density.hpp"
 #include "particles/parallel.hpp"
 
 #include <algorithm>
@@ -72,7 +72,9 @@ Arrangement<Dim>::Arrangement(const std::vector<FluidFill<Dim>>& fluids,
   domain_ = frame.clipped(box);
   if (adaptive) setSmoothingLengths();
   for (std::size_t k = 0; k < fluids.size(); ++k)
-    containments_.emplace_back(fluids, k, frame.domain, margin * frame.spacing);
+    containments_.emplace_back(
+        fluids, k, frame.domain,
+        margin * frame.spacing * (fluids[k].resolution ? fluids[k].resolution->finest() : 1));
 
   typename Engine<Dim>::Options options;
   options.support = frame.support();
@@ -101,7 +103,7 @@ void Arrangement<Dim>::retarget() {
   const auto volume = particles_[field::mass];
   double growth = 1;
   for (std::size_t k = 0; k < fluids_.size(); ++k) {
-    if (!fluids_[k].settings.spacingFollowsDensity()) continue;
+    if (!fluids_[k].spacingVaries()) continue;
     std::vector<std::size_t> who;
     std::vector<Vec<Dim>> points;
     for (std::size_t i = 0; i < nFluid(); ++i)

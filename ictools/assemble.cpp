@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/assemble.hpp"
 
+#include "engine/ordered_sum.hpp"
+#include "ictools/number_density.hpp"
 #include "ictools/point_grid.hpp"
 #include "ictools/state.hpp"
+#include "particles/number.hpp"
 #include "particles/parallel.hpp"
 
 #include <algorithm>
@@ -18,6 +21,15 @@ constexpr FieldSet sceneFields{field::position, field::velocity, field::mass,
                                field::density,  field::pressure, field::smoothingLength,
                                field::id,       field::material};
 constexpr FieldSet wallFields{field::wall, field::normal, field::wallDistance};
+
+/// Volume of a particle where nothing is refined [m^d]; with exact masses such that all volumes add
+/// up to that of the region.
+template <int Dim>
+double plainVolumeOf(const FluidFill<Dim>& fluid, const std::vector<double>& ratios) {
+  if (ratios.empty() || fluid.settings.mass != "exact") return fluid.particleVolume;
+  return fluid.volume.value /
+         orderedSum<double>(ratios.size(), [&](std::size_t k) { return power<Dim>(ratios[k]); });
+}
 
 /// State of the particles of fluid `material`, from `first` on; their positions are there.
 template <int Dim>
@@ -38,16 +50,21 @@ void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
   const auto lengths = particles[field::smoothingLength].subspan(first, n);
   const auto materials = particles[field::material].subspan(first, n);
   const bool hasEqualMasses = settings.spacingFollowsDensity();
+  std::vector<double> volumes;  // that they were arranged with: they do not jump where densities do
+  if (hasEqualMasses) volumes = targetVolumes<Dim>(fluid, positions, frame.domain);
+  std::vector<double> ratios;  // of spacings to that of the fluid
+  if (fluid.resolution) ratios = ratiosAt<Dim>(*fluid.resolution, positions);
+  const double plainVolume = plainVolumeOf<Dim>(fluid, ratios);
   const auto fill = [&](std::size_t k, const FluidState& here) {
     velocities[k] = velocity;
     densities[k] = here.density;
     pressures[k] = here.pressure;
-    masses[k] = hasEqualMasses ? fluid.particleMass : here.density * fluid.particleVolume;
+    const double ratio = ratios.empty() ? 1 : ratios[k];
+    masses[k] =
+        hasEqualMasses ? fluid.particleMass : here.density * (plainVolume * power<Dim>(ratio));
     materials[k] = material;
-    lengths[k] = frame.smoothingLength() * fluid.lengthScale;
-    if (hasEqualMasses)
-      lengths[k] *=
-          std::pow(fluid.particleMass / here.density / fluid.lattice.cellVolume(), 1.0 / Dim);
+    lengths[k] = frame.smoothingLength() * fluid.lengthScale * ratio;
+    if (hasEqualMasses) lengths[k] *= std::pow(volumes[k] / fluid.lattice.cellVolume(), 1.0 / Dim);
   };
   std::vector<double> density;
   if (fluid.profile)
@@ -81,15 +98,17 @@ void addWall(const WallFill<Dim>& wall, int row, std::size_t first, const SceneF
     particles[field::density][i] = here.density;
     particles[field::pressure][i] = here.pressure;
     particles[field::mass][i] = here.density * point.volume;
+    particles[field::smoothingLength][i] = frame.solver.smoothingLength * wall.spacing;
     particles[field::wall][first + k] = row;
     particles[field::normal][first + k] = point.normal;
     particles[field::wallDistance][first + k] = point.depth;
   }
 }
 
-/// Smallest distance of two particles [m].
+/// Smallest distance of two particles [m]; `finest` is that which is expected.
 template <int Dim>
-double minDistance(std::span<const Vec<Dim>> points, const Box<Dim>& domain, double spacing) {
+double minDistance(std::span<const Vec<Dim>> points, const Box<Dim>& domain, double spacing,
+                   double finest) {
   Box<Dim> box = domain;
   for (int a = 0; a < Dim; ++a)
     if (!box.isPeriodic(a)) {
@@ -99,7 +118,7 @@ double minDistance(std::span<const Vec<Dim>> points, const Box<Dim>& domain, dou
   if (points.empty()) return 0;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   // Of particles at their spacing small cells find the pair; larger ones are made only if need be.
-  for (const double reach : {1.05 * spacing, 1.5 * spacing}) {
+  for (const double reach : {1.05 * finest, 1.5 * finest, 1.5 * spacing}) {
     const PointGrid<Dim> grid(box, reach, points);
     std::vector<double> smallest((points.size() + batchLength - 1) / batchLength, infinity);
     parallelFor(smallest.size(), [&](std::size_t b) {
@@ -141,12 +160,9 @@ ParticleSet<Dim> assemble(std::vector<FluidFill<Dim>>& fluids,
     addWall(walls[k], static_cast<int>(k), first, frame, particles);
     first += walls[k].points.size();
   }
-  const auto lengths = particles[field::smoothingLength];
   const auto ids = particles[field::id];
-  forEachIndex(particles.size(), [&](std::size_t i) {
-    if (i >= nFluid) lengths[i] = frame.smoothingLength();
-    ids[i] = i < nFluid ? nWalls + i + 1 : i - nFluid + 1;
-  });
+  forEachIndex(particles.size(),
+               [&](std::size_t i) { ids[i] = i < nFluid ? nWalls + i + 1 : i - nFluid + 1; });
   return particles;
 }
 
@@ -158,9 +174,11 @@ std::vector<std::pair<std::string, double>> qualityFigures(
   std::vector<std::pair<std::string, double>> figures;
   figures.emplace_back("fluid particles", particles.nFluid());
   figures.emplace_back("wall particles", particles.nWalls());
+  const auto [least, most] = std::ranges::minmax(particles[field::smoothingLength]);
   figures.emplace_back(
       "smallest distance / d_ref",
-      minDistance<Dim>(std::as_const(particles)[field::position], domain, spacing) / spacing);
+      minDistance<Dim>(particles[field::position], domain, spacing, spacing * least / most) /
+          spacing);
   std::size_t i = 0;
   for (const auto& fluid : fluids) {
     const std::string& name = fluid.settings.name;

@@ -30,6 +30,9 @@ template <int Dim>
 void checkGap(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, Findings& findings) {
   const auto gap = thinnestPlace(fluid, frame, frame.support());
   if (!gap || gap->thickness < frame.spacing) return;
+  const double ratio =
+      fluid.resolution ? ratiosAt<Dim>(*fluid.resolution, std::span(&gap->point, 1))[0] : 1;
+  if (gap->thickness >= ratio * frame.support()) return;
   findings.add(
       {Severity::warning,
        fmt::format("{}: fluid \"{}\": its narrowest gap is {:.4g} m or {:.3g} d_ref wide, at "
@@ -53,8 +56,9 @@ bool draftFluids(const CaseSettings& settings, const Regions<Dim>& regions,
       draft.fluids.push_back(
           prepareFluid(fluid, settings, regions, folder, draft.frame, findings.warner()));
     });
-  if (isSound) matchMasses(draft.fluids, draft.frame);
-  return isSound && findings.attempt([&] { checkMemory(draft.fluids, draft.frame); });
+  return isSound && findings.attempt([&] {
+    prepareTogether(draft.fluids, settings, regions, draft.frame, findings.warner());
+  }) && findings.attempt([&] { checkMemory(draft.fluids, draft.frame); });
 }
 
 template <int Dim>
@@ -123,6 +127,7 @@ void estimateDraft(Draft<Dim>& draft, CheckReport& report) {
   }
   report.estimate =
       estimateOf(nFluid, nWalls, isCounted, draft.fluids.front().lattice, draft.frame);
+  report.estimate->generateMemory = memoryToGenerate(draft.fluids, nWalls);
 }
 
 template <int Dim>

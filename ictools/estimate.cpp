@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/estimate.hpp"
 
-#include "ictools/random.hpp"
+#include "ictools/cells.hpp"
 #include "particles/memory.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +18,9 @@ namespace {
 // particles in 188 bytes each and of 4.7e6 in 163; plenum-sph ran one of 2.5e5 in 262.
 constexpr double programItself = 25e6;  // bytes
 constexpr double generateBytesAParticle = 190;
+// Of fluids whose spacing varies: the cells that their places are found in. A refined ball of 9.9e5
+// particles took 627 bytes each, one of 2.9e6 640.
+constexpr double cellBytesAParticle = 640;
 constexpr double runBytesAParticle = 280;
 constexpr double secondsAnInteraction = 4e-9;  // docs/benchmarks.md: 3.8 to 4.2 ns
 
@@ -26,29 +29,44 @@ constexpr double secondsAnInteraction = 4e-9;  // docs/benchmarks.md: 3.8 to 4.2
 template <int Dim>
 double expectedFluid(const std::vector<FluidFill<Dim>>& fluids) {
   double n = 0;
-  for (const auto& fluid : fluids)
-    n += fluid.settings.positions
-             ? static_cast<double>(fluid.points.size())
-             : std::min(fluid.volume.value, fluid.box.volume()) / fluid.lattice.cellVolume();
+  for (const auto& fluid : fluids) n += fluid.expected;
   return n;
 }
 
 template <int Dim>
 double expectedWalls(const std::vector<WallFill<Dim>>& walls, const Box<Dim>& box) {
-  constexpr int nTrials = 20000;  // a band of 5 % of the box is met a thousand times: to 3 %
-  Random random(1);
-  std::vector<Vec<Dim>> trials;
-  for (int k = 0; k < nTrials; ++k) trials.push_back(random.pointIn(box));
   double n = 0;
   for (const auto& wall : walls) {
-    const auto distances = signedDistances<Dim>(*wall.solid.geometry, trials);
-    const auto nHits = std::ranges::count_if(distances, [&](double distance) {
-      const double depth = wall.solid.depth(distance);
-      return depth >= 0 && depth <= wall.thickness;
-    });
-    n += static_cast<double>(nHits) / nTrials * box.volume() / wall.lattice.cellVolume();
+    const auto depths = [&](std::span<const Vec<Dim>> points, std::span<double> depth) {
+      wall.solid.geometry->signedDistance(points, depth);
+      for (double& d : depth) d = wall.solid.depth(d);
+    };
+    CellSizes<Dim> sizes;  // fine at the layers only
+    sizes.most = 20000;    // of which a third or more are in the layers: to some percent
+    sizes.coarsest = std::pow(box.volume() / 1000, 1.0 / Dim);
+    sizes.at = [&](std::span<const Vec<Dim>> centers, std::span<double> edges) {
+      depths(centers, edges);
+      for (double& edge : edges) {
+        const double away = std::max(-edge, edge - wall.thickness);
+        edge = std::max(wall.thickness / 4, 2 / std::sqrt(Dim) * away);
+      }
+    };
+    const Cells<Dim> cells = cellsOf<Dim>(nullptr, box, sizes, 0);
+    std::vector<double> depth(cells.centers.size());
+    depths(cells.centers, depth);
+    for (std::size_t k = 0; k < depth.size(); ++k)
+      if (depth[k] >= 0 && depth[k] <= wall.thickness)
+        n += cells.volumes[k] / wall.lattice.cellVolume();
   }
   return n;
+}
+
+template <int Dim>
+double memoryToGenerate(const std::vector<FluidFill<Dim>>& fluids, double nWalls) {
+  double bytes = programItself + generateBytesAParticle * nWalls;
+  for (const auto& fluid : fluids)
+    bytes += fluid.expected * (fluid.spacingVaries() ? cellBytesAParticle : generateBytesAParticle);
+  return bytes;
 }
 
 template <int Dim>
@@ -59,7 +77,6 @@ Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const Lattice<
   estimate.neighbours =
       unitBall[Dim - 1] * std::pow(frame.support(), Dim) / lattice.cellVolume() - 1;
   const double n = nFluid + nWalls;
-  estimate.generateMemory = programItself + generateBytesAParticle * n;
   estimate.runMemory = programItself + runBytesAParticle * n;
   const double nInteracting = frame.solver.wallsEvolve() ? n : nFluid;
   estimate.stepTime = secondsAnInteraction * nInteracting * estimate.neighbours;
@@ -69,18 +86,17 @@ Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const Lattice<
 template <int Dim>
 void checkMemory(const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame) {
   const double expected = expectedFluid(fluids);
-  const double needed = programItself + generateBytesAParticle * expected;
+  const double needed = memoryToGenerate(fluids, 0);
   const double available = availableMemory().value_or(needed);
   if (needed <= available) return;
-  const auto largest = std::ranges::max_element(fluids, {}, [](const auto& fluid) {
-    return fluid.volume.value / fluid.lattice.cellVolume();
-  });
+  const auto largest = std::ranges::max_element(fluids, {}, &FluidFill<Dim>::expected);
   at(largest->settings.node, "region")
       .fail(fmt::format("the fluids would hold {:.3g} particles and need {} of memory, {} are "
                         "available; a spacing of at least {:.3g} m is needed (are the lengths in "
-                        "metres?)",
+                        "metres?){}",
                         expected, printedBytes(needed), printedBytes(available),
-                        frame.spacing * std::pow(needed / available, 1.0 / Dim)));
+                        frame.spacing * std::pow(needed / available, 1.0 / Dim),
+                        largest->resolution ? ", or a larger one in [[refine]]" : ""));
 }
 
 std::string describe(const Estimate& estimate) {
@@ -103,14 +119,17 @@ std::string describe(const Estimate& estimate) {
 
 template double expectedFluid(const std::vector<FluidFill<1>>&);
 template double expectedWalls(const std::vector<WallFill<1>>&, const Box<1>&);
+template double memoryToGenerate(const std::vector<FluidFill<1>>&, double);
 template Estimate estimateOf(double, double, bool, const Lattice<1>&, const SceneFrame<1>&);
 template void checkMemory(const std::vector<FluidFill<1>>&, const SceneFrame<1>&);
 template double expectedFluid(const std::vector<FluidFill<2>>&);
 template double expectedWalls(const std::vector<WallFill<2>>&, const Box<2>&);
+template double memoryToGenerate(const std::vector<FluidFill<2>>&, double);
 template Estimate estimateOf(double, double, bool, const Lattice<2>&, const SceneFrame<2>&);
 template void checkMemory(const std::vector<FluidFill<2>>&, const SceneFrame<2>&);
 template double expectedFluid(const std::vector<FluidFill<3>>&);
 template double expectedWalls(const std::vector<WallFill<3>>&, const Box<3>&);
+template double memoryToGenerate(const std::vector<FluidFill<3>>&, double);
 template Estimate estimateOf(double, double, bool, const Lattice<3>&, const SceneFrame<3>&);
 template void checkMemory(const std::vector<FluidFill<3>>&, const SceneFrame<3>&);
 

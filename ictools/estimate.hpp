@@ -20,20 +20,24 @@ struct Estimate {
   double stepTime = 0;        ///< of one thread [s]
 };
 
-/// Fluid particles that the regions hold: volume over the lattice's cell.
+/// Fluid particles by the estimates that `countExpected` made.
 template <int Dim>
 double expectedFluid(const std::vector<FluidFill<Dim>>& fluids);
 
-/// Wall particles by the share of random places in `box` that are in the layers; to some percent.
+/// Wall particles by the volume of the layers in `box`; to some percent.
 template <int Dim>
 double expectedWalls(const std::vector<WallFill<Dim>>& walls, const Box<Dim>& box);
 
-/// Memory and time from the numbers of particles. Memory as measured on boxes of 2e5 to 5e6
-/// particles, a step by the 4 ns an interaction of docs/benchmarks.md (mixed precision, AVX2, one
-/// thread): another machine or scene may take half or twice as much.
+/// Memory and time of a run from the numbers of particles. Memory as measured on boxes of 2e5 to
+/// 5e6 particles, a step by the 4 ns an interaction of docs/benchmarks.md (mixed precision, AVX2,
+/// one thread): another machine or scene may take half or twice as much.
 template <int Dim>
 Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const Lattice<Dim>& lattice,
                     const SceneFrame<Dim>& frame);
+
+/// Bytes that making the set needs, by the expected number of fluid particles.
+template <int Dim>
+double memoryToGenerate(const std::vector<FluidFill<Dim>>& fluids, double nWalls);
 
 /// Throws InputError, before memory is asked for, if the particles of the fluids need more of it
 /// than the machine has to spare.

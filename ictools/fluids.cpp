@@ -2,6 +2,7 @@
 #include "ictools/fluids.hpp"
 
 #include "ictools/equal_masses.hpp"
+#include "ictools/number_density.hpp"
 #include "ictools/point_grid.hpp"
 #include "ictools/random.hpp"
 
@@ -254,6 +255,17 @@ void FluidFill<Dim>::placeLattice() {
 }
 
 template <int Dim>
+Lattice<Dim> latticeWith(const FluidFill<Dim>& fluid, double spacing,
+                         const SceneFrame<Dim>& frame) {
+  const std::string& name =
+      fluid.settings.lattice == "random" ? latticeNames(Dim).front() : fluid.settings.lattice;
+  FluidFill<Dim> other{fluid.settings, {}, fluid.box, Lattice<Dim>(name, spacing)};
+  other.lattice.fitTo(frame.domain);
+  other.placeLattice();
+  return other.lattice;
+}
+
+template <int Dim>
 FluidFill<Dim> prepareFluid(const FluidSettings& settings, GeometryPtr<Dim> region,
                             DensityProfilePtr<Dim> profile, const SceneFrame<Dim>& frame,
                             const Warn& warn) {
@@ -277,8 +289,8 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
     FluidFill<Dim>& fluid = fluids[k];
     if (fluid.isPlaced) {
       // keeps its points
-    } else if (fluid.settings.spacingFollowsDensity()) {
-      fillWithEqualMasses(fluid, frame, randomOf(fluid, k));
+    } else if (fluid.spacingVaries()) {
+      fillByNumberDensity(fluid, frame, randomOf(fluid, k));
     } else if (fluid.settings.lattice == "random") {
       fluid.points = randomPoints(fluid, roundOff, randomOf(fluid, k));
     } else if (!fluid.region) {
@@ -294,6 +306,8 @@ void fillFluids(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& fram
     jitter(fluids, k, frame);
     if (fluid.settings.spacingFollowsDensity())
       fluid.particleVolume = fluid.meanVolume();
+    else if (fluid.resolution)
+      fluid.particleVolume = fluid.lattice.cellVolume();  // exact ones wait for the last places
     else
       fluid.particleVolume = fluid.settings.mass == "exact"
                                  ? fluid.volume.value / static_cast<double>(fluid.points.size())
@@ -317,14 +331,17 @@ std::vector<Vec<Dim>> allPoints(const std::vector<FluidFill<Dim>>& fluids) {
 template struct FluidFill<1>;
 template struct FluidFill<2>;
 template struct FluidFill<3>;
+template Lattice<1> latticeWith(const FluidFill<1>&, double, const SceneFrame<1>&);
 template FluidFill<1> prepareFluid(const FluidSettings&, GeometryPtr<1>, DensityProfilePtr<1>,
                                    const SceneFrame<1>&, const Warn&);
 template void fillFluids(std::vector<FluidFill<1>>&, const SceneFrame<1>&);
 template std::vector<Vec<1>> allPoints(const std::vector<FluidFill<1>>&);
+template Lattice<2> latticeWith(const FluidFill<2>&, double, const SceneFrame<2>&);
 template FluidFill<2> prepareFluid(const FluidSettings&, GeometryPtr<2>, DensityProfilePtr<2>,
                                    const SceneFrame<2>&, const Warn&);
 template void fillFluids(std::vector<FluidFill<2>>&, const SceneFrame<2>&);
 template std::vector<Vec<2>> allPoints(const std::vector<FluidFill<2>>&);
+template Lattice<3> latticeWith(const FluidFill<3>&, double, const SceneFrame<3>&);
 template FluidFill<3> prepareFluid(const FluidSettings&, GeometryPtr<3>, DensityProfilePtr<3>,
                                    const SceneFrame<3>&, const Warn&);
 template void fillFluids(std::vector<FluidFill<3>>&, const SceneFrame<3>&);

@@ -40,7 +40,7 @@ std::vector<FluidFill<Dim>> prepareFluids(const CaseSettings& settings, const Re
   std::vector<FluidFill<Dim>> fluids;
   for (const FluidSettings& fluid : readFluids(settings))
     fluids.push_back(prepareFluid(fluid, settings, regions, folder, frame, warn));
-  matchMasses(fluids, frame);
+  prepareTogether(fluids, settings, regions, frame, warn);
   return fluids;
 }
 

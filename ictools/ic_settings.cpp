@@ -123,7 +123,8 @@ void checkFluid(const FluidSettings& fluid, int dimension) {
   if (fluid.profile && fluid.hydrostatic)
     at(fluid.node, "profile").fail("excludes hydrostatic; give one of them");
   if (fluid.spacingFollowsDensity() && fluid.jitter > 0)
-    at(fluid.node, "jitter").fail("has no use: particles of equal mass start from random places");
+    at(fluid.node, "jitter")
+        .fail("goes with a lattice, which equal masses replace; set lattice = \"random\" instead");
 }
 
 void checkEqualMasses(const FluidSettings& fluid, const std::vector<FluidSettings>& all) {
@@ -152,6 +153,24 @@ void checkPositions(const FluidSettings& fluid) {
         .fail(
             "excludes particles = \"equal_mass\", which chooses places by itself; set particles = "
             "\"equal_spacing\", or leave one of positions and profile out");
+}
+
+/// [[refine]] chooses places and masses by itself.
+void checkRefined(const FluidSettings& fluid) {
+  if (fluid.spacingFollowsDensity())
+    at(fluid.node, "profile")
+        .fail(
+            "particles = \"equal_mass\" excludes [[refine]]: either the density chooses the "
+            "spacing or the refinement does; set particles = \"equal_spacing\", so that masses "
+            "follow the profile, or leave [[refine]] out");
+  if (fluid.positions)
+    at(fluid.node, "positions")
+        .fail(
+            "excludes [[refine]], which chooses places by itself; leave one of positions and "
+            "[[refine]] out");
+  if (fluid.jitter > 0)
+    at(fluid.node, "jitter")
+        .fail("goes with a lattice, which [[refine]] replaces; set lattice = \"random\" instead");
 }
 
 void checkWall(const WallSettings& wall, int dimension) {
@@ -224,9 +243,11 @@ const Section<WallSettings>& wallSection() {
           .text("region", &S::region, "the solid; or else:")
           .text("outside", &S::outside, "the solid is everything outside of this region")
           .integer("layers", &S::layers, Range::between(1, 1000),
-                   "thickness in d_ref; absent: as the kernel's support needs")
+                   "absent: as the kernel's support needs")
           .text("method", &S::method,
-                "lattice: the fluid's lattice continued; conformal: layers at (k - 1/2) d_ref",
+                "lattice: the fluid's lattice continued; conformal: layers at (k - 1/2) d_ref; "
+                "both as "
+                "fine as the finest of [[refine]] along the wall",
                 {"lattice", "conformal"})
           .text("lattice_of", &S::latticeOf, "fluid whose lattice is continued; absent: the first")
           .number("density", &S::density, "kg/m^d", Range::positive(),
@@ -239,6 +260,38 @@ const Section<WallSettings>& wallSection() {
               "solver.wall_pressure = \"equation_of_state\"")
           .section("hydrostatic", &S::hydrostatic, hydrostaticSection());
   return section;
+}
+
+const Section<RefineSettings>& refineSection() {
+  using S = RefineSettings;
+  static const Section<S> section =
+      Section<S>("a place where particles stand closer; from there the spacing grows to d_ref")
+          .text("near", &S::near, "a region: both sides of its surface; or else:")
+          .text("inside", &S::inside, "a region: all of it")
+          .number("spacing", &S::spacing, "d_ref", Range::above(0, 1), "the spacing there")
+          .required()
+          .number("distance", &S::distance, "m", Range::notNegative(),
+                  "of near: how far from the surface the place reaches")
+          .number("growth", &S::growth, "", Range::above(0, 0.3),
+                  "metres that the spacing grows in each metre away from the place");
+  return section;
+}
+
+std::vector<RefineSettings> readRefinements(const CaseSettings& settings) {
+  std::vector<RefineSettings> refinements;
+  if (!settings.refinements) return refinements;
+  for (const CaseNode& node : settings.refinements->asArray()) {
+    RefineSettings refinement = refineSection().read(node, settings.dimension);
+    refinement.node = node;
+    if (refinement.near.empty() == refinement.inside.empty())
+      node.fail("needs either near = \"a region\" or inside = \"a region\"");
+    if (refinement.near.empty() && node.find("distance") != nullptr)
+      node.find("distance")->fail("goes with near only; leave it out");
+    refinements.push_back(std::move(refinement));
+  }
+  if (refinements.empty()) return refinements;
+  for (const FluidSettings& fluid : readFluids(settings)) checkRefined(fluid);
+  return refinements;
 }
 
 const Section<RelaxSettings>& relaxSection() {
@@ -305,6 +358,7 @@ std::vector<SectionDoc> caseDocs() {
   for (SectionDoc& doc : geometryDocs()) docs.push_back(std::move(doc));
   docs.push_back(fluidSection().doc("fluid"));
   docs.push_back(wallSection().doc("wall"));
+  docs.push_back(refineSection().doc("refine"));
   docs.push_back(relaxSection().doc("relax"));
   return docs;
 }

@@ -82,6 +82,19 @@ struct FluidSettings {
   bool spacingFollowsDensity() const { return profile && particles == "equal_mass"; }
 };
 
+/// A place where particles stand closer (resolution.hpp).
+struct RefineSettings {
+  std::string near;      ///< the region whose surface it is; or else:
+  std::string inside;    ///< the region
+  double spacing = 0.5;  ///< there [d_ref]
+  double distance = 0;   ///< of `near`: from the surface, on both sides [m]
+  double growth = 0.1;   ///< of the spacing with the distance from the place
+  CaseNode node;
+
+  /// The key that names the geometry.
+  const char* regionKey() const { return near.empty() ? "inside" : "near"; }
+};
+
 /// How particles are arranged before a run (relaxation.hpp).
 struct RelaxSettings {
   std::string method = "packing";
@@ -117,6 +130,10 @@ struct WallSettings {
 
 const Section<FluidSettings>& fluidSection();
 const Section<WallSettings>& wallSection();
+
+const Section<RefineSettings>& refineSection();
+/// Throws InputError unless each names one place and goes with the fluids.
+std::vector<RefineSettings> readRefinements(const CaseSettings& settings);
 
 const Section<RelaxSettings>& relaxSection();
 /// Nothing if the case has no [relax] table.

@@ -29,6 +29,9 @@ void moveToDepth(const WallSolid<Dim>& solid, double depth, double spacing,
 std::vector<Layer<2>> traceLayers(const WallSolid<2>& solid, double spacing, int layers,
                                   const Box<2>& box);
 
+/// Bytes of the grid that curves are found on in a box of this area [m^2].
+double bytesOfTracing(double spacing, double area);
+
 /// A fine lattice projected onto the layers, thinned and relaxed.
 template <int Dim>
 std::vector<Layer<Dim>> sampleLayers(const WallSolid<Dim>& solid, double spacing, int layers,

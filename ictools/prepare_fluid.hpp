@@ -4,6 +4,7 @@
 #include "ictools/density_profile.hpp"
 #include "ictools/equal_masses.hpp"
 #include "ictools/fluids.hpp"
+#include "ictools/number_density.hpp"
 #include "ictools/positions.hpp"
 #include "ictools/regions.hpp"
 
@@ -30,6 +31,29 @@ FluidFill<Dim> prepareFluid(const FluidSettings& fluid, const CaseSettings& sett
   FluidFill<Dim> fill = prepareFluid(fluid, region, profile, frame, warn);
   if (fluid.positions) placeFromFile(fill, folder, frame, warn);
   return fill;
+}
+
+/// What the case says of all of its fluids together: equal masses, refinements; and estimates how
+/// many particles they will have. Throws InputError for unknown regions and as `countExpected`
+/// does.
+template <int Dim>
+void prepareTogether(std::vector<FluidFill<Dim>>& fluids, const CaseSettings& settings,
+                     const Regions<Dim>& regions, const SceneFrame<Dim>& frame, const Warn& warn) {
+  matchMasses(fluids, frame);
+  std::vector<Refinement<Dim>> refinements;
+  for (const RefineSettings& refinement : readRefinements(settings))
+    refinements.emplace_back(refinement, regions.find(at(refinement.node, refinement.regionKey())),
+                             frame.spacing, frame.domain);
+  if (!refinements.empty()) {
+    const auto resolution =
+        std::make_shared<const Resolution<Dim>>(std::move(refinements), frame.spacing);
+    for (auto& fluid : fluids) fluid.resolution = resolution;
+    if (!settings.relax)
+      warn(
+          "particles of refined fluids stand unevenly until they are arranged; add a [relax] "
+          "table");
+  }
+  countExpected(fluids, frame, warn);
 }
 
 }  // namespace plenum

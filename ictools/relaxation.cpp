@@ -84,7 +84,7 @@ RelaxationResult relax(std::vector<FluidFill<Dim>>& fluids, const std::vector<Wa
   const auto method = relaxationMethod<Dim>(settings.method);
   const bool adaptive =
       settings.method == "wvt" || std::ranges::any_of(fluids, [](const auto& fluid) {
-        return fluid.settings.spacingFollowsDensity() || fluid.lengthScale != 1;
+        return fluid.spacingVaries() || fluid.lengthScale != 1;
       });
   Arrangement<Dim> arrangement(fluids, walls, frame, adaptive);
   const Ending ending(settings);

@@ -105,6 +105,34 @@ std::vector<double> localSpacings(const SceneInfo<Dim>& info, const ParticleSet<
   return spacing;
 }
 
+/// How far kernels reach behind the surface of each wall [m]: those of the fluid particles that
+/// stand within a smoothing length of its particles, or that of the scene if all are the same.
+template <int Dim>
+std::vector<double> reachBehindWalls(const Scene<Dim>& scene) {
+  const SceneInfo<Dim>& info = scene.info;
+  const ParticleSet<Dim>& particles = scene.particles;
+  const auto length = particles[field::smoothingLength].first(particles.nFluid());
+  const auto [least, most] = std::ranges::minmax(length);
+  if (most - least <= 1e-9 * most || info.walls.empty() || !particles.has(field::wallDistance))
+    return std::vector<double>(info.walls.size(), 2 * info.smoothingLength);
+  std::vector<double> reach(info.walls.size());
+  const auto position = particles[field::position];
+  const PointSearch<Dim> walls(position.subspan(length.size()), info.domain, most);
+  for (std::size_t i = 0; i < length.size(); ++i) {
+    double nearest = length[i] * length[i], distance = 0;  // squared; to the surface
+    std::size_t wall = info.walls.size();
+    walls.around(position[i], [&](std::uint32_t j, const Vec<Dim>& d, double d2) {
+      if (d2 > nearest) return;
+      nearest = d2;
+      wall = static_cast<std::size_t>(particles[field::wall][j]);
+      distance = -dot(d, particles[field::normal][j]) - particles[field::wallDistance][j];
+    });
+    if (wall < reach.size())
+      reach[wall] = std::max(reach[wall], 2 * length[i] - std::max(0.0, distance));
+  }
+  return reach;
+}
+
 template <int Dim>
 std::vector<Place> placesOf(const Scene<Dim>& scene, const ParticleSet<Dim>& particles,
                             const QualitySums<Dim>& sums) {
@@ -291,8 +319,9 @@ Report reportOn(const Scene<Dim>& scene, const std::vector<DensityProfilePtr<Dim
   report.nWalls = scene.particles.nWalls();
   report.masses = massesOf(scene);
   judgeSpacing(scene, report);
-  for (const Wall& wall : info.walls)
-    report.walls.push_back({wall.name, wall.thickness, 2 * info.smoothingLength});
+  const std::vector<double> reach = reachBehindWalls(scene);
+  for (std::size_t w = 0; w < reach.size(); ++w)
+    report.walls.push_back({info.walls[w].name, info.walls[w].thickness, reach[w]});
   judgeDensity(scene, profiles, report);
   report.pairing =
       forecastPairing(KernelId::named(info.kernel), Dim, info.smoothingLength, meanVolume(scene));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/surroundings.hpp"
 
-#include "ictools/equal_masses.hpp"
+#include "ictools/number_density.hpp"
 #include "ictools/point_grid.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Shell {
 /// From the particles nearest to the surface: the finest of their spacings, the largest support.
 template <int Dim>
 Shell shellOf(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double lengthOverSpacing) {
-  if (!fluid.settings.spacingFollowsDensity())
+  if (!fluid.spacingVaries())
     return {frame.support() * fluid.lengthScale, frame.spacing * fluid.lengthScale};
   const auto volumes = targetVolumes<Dim>(fluid, fluid.points, frame.domain);
   const auto distances = signedDistances<Dim>(*fluid.region, fluid.points);
@@ -41,7 +41,7 @@ Shell shellOf(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double 
   }
   if (most == 0) return {frame.support(), frame.spacing};
   const double cellEdge = std::pow(fluid.lattice.cellVolume(), 1.0 / Dim);
-  return {2 * lengthOverSpacing * most, frame.spacing * least / cellEdge};
+  return {2 * lengthOverSpacing * most, frame.spacing * fluid.lengthScale * least / cellEdge};
 }
 
 /// The fluid continued past its surface, whatever is there. Lattices go on; for particles that will
@@ -53,7 +53,7 @@ std::vector<FixedPoint<Dim>> continued(const FluidFill<Dim>& fluid, const SceneF
                                        const Shell& shell) {
   const Box<Dim> box = frame.clipped(fluid.box.grown(shell.reach));
   std::vector<FixedPoint<Dim>> points;
-  if (fluid.settings.hasLattice() && !fluid.settings.spacingFollowsDensity()) {
+  if (fluid.settings.hasLattice() && !fluid.spacingVaries()) {
     const DistanceBand band{-surfaceRoundOff * frame.spacing, shell.reach};
     for (const Vec<Dim>& x : latticePoints(fluid.lattice, box, *fluid.region, band))
       points.push_back({x, fluid.lattice.cellVolume()});
@@ -115,8 +115,9 @@ std::vector<FixedPoint<Dim>> surroundings(const std::vector<FluidFill<Dim>>& flu
   for (const FixedPoint<Dim>& point : fixed) taken.insert(point.position);
   for (std::size_t k = 0; k < fluids.size(); ++k) {
     const Shell shell = shellOf(fluids[k], frame, lengthOverSpacing);
+    const double apart = closestInWalls * std::min(frame.spacing, shell.spacing);
     for (const FixedPoint<Dim>& point : freeShell(fluids, k, walls, frame, shell))
-      if (!std::isfinite(taken.nearest(point.position))) fixed.push_back(point);
+      if (!(taken.nearest(point.position) < apart)) fixed.push_back(point);
   }
   return fixed;
 }

@@ -52,6 +52,19 @@ std::vector<ThinPlace<Dim>> thinPlaces(const FluidFill<Dim>& fluid, const SceneF
   return places;
 }
 
+/// Leaves out the places that a refinement gives more than one particle across.
+template <int Dim>
+void leaveOutRefined(std::vector<ThinPlace<Dim>>& places, const FluidFill<Dim>& fluid,
+                     const SceneFrame<Dim>& frame) {
+  if (!fluid.resolution) return;
+  std::vector<Vec<Dim>> points;
+  for (const auto& place : places) points.push_back(frame.domain.wrap(place.point));
+  const auto ratios = ratiosAt<Dim>(*fluid.resolution, points);
+  std::size_t k = 0;
+  std::erase_if(places,
+                [&](const auto& place) { return place.thickness >= ratios[k++] * frame.spacing; });
+}
+
 /// The way through the region at a place, by halving its last step [m].
 template <int Dim>
 double measured(const ThinPlace<Dim>& place, const Geometry<Dim>& region, double step) {
@@ -100,7 +113,8 @@ void checkThinParts(const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<
   Findings findings;
   for (const auto& fluid : fluids) {
     if (!fluid.region) continue;
-    const auto places = thinPlaces(fluid, frame, frame.spacing);
+    auto places = thinPlaces(fluid, frame, frame.spacing);
+    leaveOutRefined(places, fluid, frame);
     if (places.empty()) continue;
     if (!grid) {
       points = allPoints(fluids);

@@ -231,6 +231,11 @@ void spread(const Piece& piece, double spacing, std::vector<Vec<2>>& result) {
 
 }  // namespace
 
+double bytesOfTracing(double spacing, double area) {
+  const double edge = spacing / cellsPerSpacing;
+  return sizeof(double) * area / (edge * edge);
+}
+
 std::vector<Layer<2>> traceLayers(const WallSolid<2>& solid, double spacing, int layers,
                                   const Box<2>& box) {
   const DepthGrid grid(solid, spacing, layers, box);

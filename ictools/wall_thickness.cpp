@@ -94,12 +94,12 @@ ThroughThickness<Dim> throughThickness(const std::vector<WallFill<Dim>>& walls, 
   const WallFill<Dim>& wall = walls[w];
   std::vector<WallPoint<Dim>> points;  // the first layer
   for (const auto& point : wall.points)
-    if (point.depth <= frame.spacing) points.push_back(point);
+    if (point.depth <= wall.spacing) points.push_back(point);
   std::vector<double> ways(points.size());
   constexpr std::size_t batch = 256;
   parallelFor((points.size() + batch - 1) / batch, [&](std::size_t b) {
     for (std::size_t k = b * batch; k < std::min(points.size(), (b + 1) * batch); ++k)
-      ways[k] = wayThrough(solids, points[k], wall.layers * frame.spacing, frame.spacing);
+      ways[k] = wayThrough(solids, points[k], wall.layers * wall.spacing, wall.spacing);
   });
   ThroughThickness<Dim> thinnest{infinite, {}};
   for (std::size_t k = 0; k < points.size(); ++k)
@@ -115,13 +115,14 @@ void measureThickness(std::vector<WallFill<Dim>>& walls, const SceneFrame<Dim>& 
     const ThroughThickness<Dim> through = throughThickness(walls, w, frame);
     if (!(through.thickness < walls[w].thickness)) continue;
     walls[w].thickness = through.thickness;
-    if (through.thickness > frame.support() - surfaceRoundOff * frame.spacing) continue;
+    const double support = walls[w].support;
+    if (through.thickness > support - surfaceRoundOff * frame.spacing) continue;
     warn(fmt::format(
         "wall \"{}\" is only {:g} m thick at ({:g}), less than the kernel's support of {:g} m, so "
         "that fluid on its two sides would meet through it: plenum-sph will refuse this set; make "
         "the solid thicker, or the spacing {:.4g} m or less",
-        walls[w].settings.name, through.thickness, fmt::join(through.at.components, ", "),
-        frame.support(), 0.9999 * through.thickness / (2 * frame.solver.smoothingLength)));
+        walls[w].settings.name, through.thickness, fmt::join(through.at.components, ", "), support,
+        0.9999 * frame.spacing * through.thickness / support));
   }
 }
 

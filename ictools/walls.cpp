@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/walls.hpp"
 
+#include "ictools/layer_points.hpp"
 #include "ictools/point_grid.hpp"
+#include "ictools/wall_resolution.hpp"
 #include "particles/findings.hpp"
+#include "particles/memory.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +17,9 @@
 namespace plenum {
 
 namespace {
+
+/// A wall all of whose spacing is finer than this part of what would do somewhere gets a warning.
+constexpr double unevenWall = 0.6;
 
 /// Grows `box` by the finite ones of `bounds`' faces.
 template <int Dim>
@@ -44,7 +50,7 @@ void leaveToEarlier(std::vector<WallFill<Dim>>& walls, std::size_t w, const Poin
     });
   }
   std::erase_if(points, [&](const WallPoint<Dim>& point) {
-    return taken.nearest(point.position) < closestInWalls * frame.spacing * (1 - 1e-9);
+    return taken.nearest(point.position) < closestInWalls * walls[w].spacing * (1 - 1e-9);
   });
 }
 
@@ -55,6 +61,22 @@ void leaveToFluid(WallFill<Dim>& wall, const PointGrid<Dim>& fluid, double spaci
   std::erase_if(wall.points, [&](const WallPoint<Dim>& point) {
     return fluid.nearest(point.position) < 0.1 * spacing;
   });
+}
+
+/// Layers in two dimensions are traced on a grid over all of the box: a wall much finer than the
+/// rest may want more of it than there is memory for.
+template <int Dim>
+void checkTracing(const WallFill<Dim>& wall, const Box<Dim>& box) {
+  if (Dim != 2 || wall.settings.method != "conformal") return;
+  const double needed = bytesOfTracing(wall.spacing, box.volume());
+  const double available = availableMemory().value_or(needed);
+  if (needed <= available) return;
+  at(wall.settings.node, "method")
+      .fail(
+          fmt::format("conformal layers {:g} m apart in a scene of {:g} m^2 need {} of memory, {} "
+                      "are available; set method = \"lattice\", or a larger spacing of the "
+                      "case or of [[refine]]",
+                      wall.spacing, box.volume(), printedBytes(needed), printedBytes(available)));
 }
 
 template <int Dim>
@@ -85,9 +107,8 @@ Box<Dim> wallBox(const std::vector<WallFill<Dim>>& walls, const std::vector<Flui
   return frame.clipped(box.grown(thickest + surfaceRoundOff * frame.spacing));
 }
 
-template <int Dim>
-int layersNeeded(const SceneFrame<Dim>& frame) {
-  return static_cast<int>(std::ceil(2 * frame.solver.smoothingLength - 1e-9));
+int layersNeeded(double support, double spacing) {
+  return static_cast<int>(std::ceil(support / spacing - 1e-9));
 }
 
 template <int Dim>
@@ -95,20 +116,31 @@ WallFill<Dim> prepareWall(const WallSettings& settings, GeometryPtr<Dim> geometr
                           const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
                           const Warn& warn) {
   const FluidFill<Dim>& fluid = fluidNamed(fluids, settings);
-  const int needed = layersNeeded(frame);
   WallFill<Dim> wall{settings,
                      {std::move(geometry), !settings.outside.empty()},
                      fluid.lattice,
-                     settings.layers.value_or(needed),
-                     0,
-                     settings.density.value_or(fluid.settings.density),
-                     {}};
-  wall.thickness = wall.layers * frame.spacing;
+                     frame.spacing,
+                     frame.support()};
+  const WallResolution along = resolutionAlong(wall.solid, fluids, frame);
+  if (along.finest < 1) {
+    wall.spacing *= along.finest;
+    wall.lattice = latticeWith(fluid, wall.spacing * fluid.lengthScale, frame);
+  }
+  wall.support = along.support;
+  if (along.finest < unevenWall * along.coarsest)
+    warn(
+        fmt::format("wall \"{}\" has a spacing of {:g} m everywhere, the finest of the fluid along "
+                    "it, though {:g} m would do in places; make it several walls to save particles",
+                    settings.name, wall.spacing, along.coarsest * frame.spacing));
+  const int needed = layersNeeded(wall.support, wall.spacing);
+  wall.layers = settings.layers.value_or(needed);
+  wall.density = settings.density.value_or(fluid.settings.density);
+  wall.thickness = wall.layers * wall.spacing;
   if (wall.layers < needed)
     warn(
         fmt::format("wall \"{}\" has {} layers of {:g} m, the kernel's support of {:g} m needs {}: "
                     "plenum-sph will refuse this set; leave out `layers` or set it to {}",
-                    settings.name, wall.layers, frame.spacing, frame.support(), needed, needed));
+                    settings.name, wall.layers, wall.spacing, wall.support, needed, needed));
   return wall;
 }
 
@@ -158,15 +190,18 @@ void fillWalls(std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Di
   if (walls.empty()) return;
   const Box<Dim> box = wallBox(walls, fluids, container, frame);
   const std::vector<Vec<Dim>> fluidPoints = allPoints(fluids);
-  const PointGrid<Dim> fluid(box, frame.spacing, fluidPoints);
+  double finest = frame.spacing;  // cells as small as refined fluid, but larger than what is asked
+  for (const auto& wall : walls) finest = std::min(finest, wall.spacing);
+  const PointGrid<Dim> fluid(box, std::max(finest, 0.1 * frame.spacing), fluidPoints);
   PointGrid<Dim> taken(box, closestInWalls * frame.spacing, fluidPoints.size());
   for (std::size_t w = 0; w < walls.size(); ++w) {
     WallFill<Dim>& wall = walls[w];
+    checkTracing(wall, box);
     wall.points = wall.settings.method == "lattice"
-                      ? latticeLayers(wall.solid, wall.lattice, frame.spacing, wall.thickness, box)
-                      : conformalLayers(wall.solid, frame.spacing, wall.layers, box);
+                      ? latticeLayers(wall.solid, wall.lattice, wall.spacing, wall.thickness, box)
+                      : conformalLayers(wall.solid, wall.spacing, wall.layers, box);
     leaveToEarlier(walls, w, taken, frame);
-    leaveToFluid(wall, fluid, frame.spacing);
+    leaveToFluid(wall, fluid, wall.spacing);
     if (wall.points.empty())
       at(wall.settings.node, wall.settings.regionKey())
           .fail(fmt::format("wall \"{}\" gets no particle: its solid ({}) is thinner than the "
@@ -202,7 +237,6 @@ Vec<Dim> velocityOf(const RigidMotion& motion, const Vec<Dim>& x) {
                          motion.velocity[2] + w[0] * r[1] - w[1] * r[0]});
 }
 
-template int layersNeeded(const SceneFrame<1>&);
 template Box<1> wallBox(const std::vector<WallFill<1>>&, const std::vector<FluidFill<1>>&,
                         const Box<1>&, const SceneFrame<1>&);
 template WallFill<1> prepareWall(const WallSettings&, GeometryPtr<1>,
@@ -214,7 +248,6 @@ template void fillWalls(std::vector<WallFill<1>>&, const std::vector<FluidFill<1
                         const SceneFrame<1>&);
 template RigidMotion rigidMotion<1>(const WallSettings&);
 template Vec<1> velocityOf(const RigidMotion&, const Vec<1>&);
-template int layersNeeded(const SceneFrame<2>&);
 template Box<2> wallBox(const std::vector<WallFill<2>>&, const std::vector<FluidFill<2>>&,
                         const Box<2>&, const SceneFrame<2>&);
 template WallFill<2> prepareWall(const WallSettings&, GeometryPtr<2>,
@@ -226,7 +259,6 @@ template void fillWalls(std::vector<WallFill<2>>&, const std::vector<FluidFill<2
                         const SceneFrame<2>&);
 template RigidMotion rigidMotion<2>(const WallSettings&);
 template Vec<2> velocityOf(const RigidMotion&, const Vec<2>&);
-template int layersNeeded(const SceneFrame<3>&);
 template Box<3> wallBox(const std::vector<WallFill<3>>&, const std::vector<FluidFill<3>>&,
                         const Box<3>&, const SceneFrame<3>&);
 template WallFill<3> prepareWall(const WallSettings&, GeometryPtr<3>,

@@ -15,18 +15,20 @@ struct WallFill {
   WallSettings settings;
   WallSolid<Dim> solid;
   Lattice<Dim> lattice;  ///< continued behind the surface by method "lattice"
+  double spacing = 0;    ///< of its layers [m]
+  double support = 0;    ///< largest of the kernels that meet it [m]
   int layers = 0;
   double thickness = 0;  ///< from the surface to the last layer, or through the solid [m]
   double density = 0;    ///< reference [kg/m^d]
-  std::vector<WallPoint<Dim>> points;
+  std::vector<WallPoint<Dim>> points = {};
 };
 
-/// Layers that cover the kernel's support: 2h in units of d_ref, rounded up.
-template <int Dim>
-int layersNeeded(const SceneFrame<Dim>& frame);
+/// Layers of this spacing that cover a support [m], rounded up.
+int layersNeeded(double support, double spacing);
 
-/// Checks a wall; `fluids` are prepared. Throws InputError for an unknown `lattice_of`. Warns of a
-/// wall thinner than the kernel's support.
+/// Checks a wall; `fluids` are prepared. Where they are refined it gets the finest spacing along
+/// its surface, and is as thick as the largest kernel that meets it. Throws InputError for an
+/// unknown `lattice_of`. Warns of a wall thinner than the kernel's support.
 template <int Dim>
 WallFill<Dim> prepareWall(const WallSettings& settings, GeometryPtr<Dim> geometry,
                           const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
@@ -45,10 +47,10 @@ Box<Dim> wallBox(const std::vector<WallFill<Dim>>& walls, const std::vector<Flui
                  const Box<Dim>& container, const SceneFrame<Dim>& frame);
 
 /// Puts particles into all walls. Where the layers of two walls overlap (corners), the first wall
-/// has the place; a particle of a later wall nearer than 0.6 d_ref to one of an earlier wall is
-/// left out. Infinite solids end where nothing else of the scene is: at the bounds of fluids,
-/// enclosed regions, finite solids and `container`, grown by the thickest wall. Throws InputError
-/// for a wall that gets no particle.
+/// has the place; a particle of a later wall nearer than 0.6 of its spacing to one of an earlier
+/// wall is left out. Infinite solids end where nothing else of the scene is: at the bounds of
+/// fluids, enclosed regions, finite solids and `container`, grown by the thickest wall. Throws
+/// InputError for a wall that gets no particle.
 template <int Dim>
 void fillWalls(std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Dim>>& fluids,
                const Box<Dim>& container, const SceneFrame<Dim>& frame);

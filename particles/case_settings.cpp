@@ -113,6 +113,8 @@ const Section<CaseSettings>& caseSection() {
           .node("fluid", &S::fluids, "list of tables", "fluids, each filling a region")
           .required()
           .node("wall", &S::walls, "list of tables", "walls, each behind a surface")
+          .node("refine", &S::refinements, "list of tables",
+                "places of finer spacing, of all fluids; where several reach, the finest counts")
           .node("relax", &S::relax, "table", "arranges the particles until they stand evenly")
           .text("container", &S::container,
                 "region in which fluid may be, for the measures; absent: where it starts")

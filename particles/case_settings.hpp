@@ -74,6 +74,7 @@ struct CaseSettings {
   std::optional<CaseNode> geometry;
   std::optional<CaseNode> fluids;
   std::optional<CaseNode> walls;
+  std::optional<CaseNode> refinements;
   std::optional<CaseNode> relax;
   std::string container;  ///< name of the region in which fluid may be; "": where fluid starts
   std::optional<SolverSettings> solver;

@@ -77,36 +77,39 @@ Box<Dim> viewOf(const ParticleSet<Dim>& particles, const PictureOptions<Dim>& op
   return *options.view;
 }
 
-/// Disks of the diameter that `diameterOf(particle)` gives [px].
-template <class DiameterOf>
-void stampAll(PictureFrame& frame, const PlaneDots& dots, const std::vector<Colour>& colours,
-              bool shaded, DiameterOf&& diameterOf) {
-  int stride = 0;
-  std::uint32_t* pixels = frame.canvas().pixels(stride);
-  std::map<int, DiskStamp> stamps;  // by quarters of a pixel
-  for (const PlaneDots::Dot& dot : dots.dots) {
-    const int quarters = static_cast<int>(std::lround(4 * diameterOf(dot.particle)));
-    const auto& stamp = stamps.try_emplace(quarters, quarters / 4.0, shaded).first->second;
-    stamp.draw(pixels, stride, frame.plot(), frame.toX(dot.x), frame.toY(dot.y),
-               colours[dot.particle]);
-  }
-  frame.canvas().pixelsDone();
-}
-
 /// Smallest disk that still shows its colour [px].
 constexpr double leastDiameter = 1.8;
 
-/// Diameter of each particle's disk [px]: in proportion to its smoothing length if they differ,
-/// `diameter` [m] for that of the scene.
+/// Sizes of disks over the usual one; empty if all are the same.
 template <int Dim>
-auto diameters(const ParticleSet<Dim>& particles, const PictureOptions<Dim>& options,
-               double diameter, double pixelsPerUnit) {
-  return [&particles, pixels = diameter * pixelsPerUnit,
-          length = particles.has(FieldId::smoothingLength) ? options.smoothingLength
-                                                           : 0.0](std::uint32_t particle) {
-    const double scale = length > 0 ? particles[field::smoothingLength][particle] / length : 1.0;
-    return std::max(leastDiameter, scale * pixels);
-  };
+std::vector<double> relativeSizes(const ParticleSet<Dim>& particles,
+                                  const PictureOptions<Dim>& options) {
+  if (!(options.smoothingLength > 0) || !particles.has(field::smoothingLength)) return {};
+  const auto lengths = particles[field::smoothingLength];
+  const auto [least, most] = std::ranges::minmax(lengths);
+  if (!(most > least * (1 + 1e-6))) return {};
+  std::vector<double> sizes(lengths.begin(), lengths.end());
+  for (double& size : sizes) size /= options.smoothingLength;
+  return sizes;
+}
+
+/// `diameter` [px] is that of a disk of relative size 1.
+void stampAll(PictureFrame& frame, const PlaneDots& dots, const std::vector<Colour>& colours,
+              const std::vector<double>& sizes, double diameter, bool shaded) {
+  int stride = 0;
+  std::uint32_t* pixels = frame.canvas().pixels(stride);
+  constexpr double perPixel = 4;  // sizes in between are not told apart
+  std::map<long, DiskStamp> stamps;
+  for (const PlaneDots::Dot& dot : dots.dots) {
+    const double size = sizes.empty() ? 1 : sizes[dot.particle];
+    const double wanted = std::max(leastDiameter, size * diameter);
+    const long step = sizes.empty() ? 0 : std::lround(perPixel * wanted);
+    auto stamp = stamps.find(step);
+    if (stamp == stamps.end()) stamp = stamps.emplace(step, DiskStamp(wanted, shaded)).first;
+    stamp->second.draw(pixels, stride, frame.plot(), frame.toX(dot.x), frame.toY(dot.y),
+                       colours[dot.particle]);
+  }
+  frame.canvas().pixelsDone();
 }
 
 template <int Dim>
@@ -151,7 +154,7 @@ void drawGraph(const std::filesystem::path& path, const ParticleSet<1>& particle
   const double diameter =
       std::clamp(options.width / 2.0 / static_cast<double>(particles.size()), 4.0, 7.0);
   frame.draw();
-  stampAll(frame, dots, colours, false, [&](std::uint32_t) { return diameter; });
+  stampAll(frame, dots, colours, {}, diameter, false);
   frame.canvas().save(path);
 }
 
@@ -181,8 +184,8 @@ void drawPlane(const std::filesystem::path& path, const ParticleSet<Dim>& partic
       {box.lower[horizontal], box.upper[horizontal], box.lower[vertical], box.upper[vertical]},
       text, scale, options.width, false);
   frame.draw();
-  stampAll(frame, dots, coloursOf(particles, values, scale), false,
-           diameters(particles, options, diameter, frame.pixelsPerUnit()));
+  stampAll(frame, dots, coloursOf(particles, values, scale), relativeSizes(particles, options),
+           diameter * frame.pixelsPerUnit(), false);
   frame.canvas().save(path);
 }
 
@@ -201,8 +204,8 @@ void drawSpace(const std::filesystem::path& path, const ParticleSet<3>& particle
   PictureFrame frame(axes.view(), text, scale, options.width, false);
   frame.draw();
   axes.draw(frame);
-  stampAll(frame, dots, coloursOf(particles, values, scale), true,
-           diameters(particles, options, diameter, frame.pixelsPerUnit()));
+  stampAll(frame, dots, coloursOf(particles, values, scale), relativeSizes(particles, options),
+           diameter * frame.pixelsPerUnit(), true);
   frame.canvas().save(path);
 }
 

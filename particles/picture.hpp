@@ -26,10 +26,9 @@ struct PictureOptions {
   std::string title = {};
   double time = 0;     ///< [s]
   double spacing = 0;  ///< diameter of the disks [m]; 0: from the extent and number of particles
-  /// That belongs to `spacing` [m]; disks of other smoothing lengths are drawn in proportion. 0:
-  /// all disks are the same.
-  double smoothingLength = 0;
-  int width = 1200;  ///< of the picture [px]; slender scenes make it narrower
+  double smoothingLength = 0;  ///< that goes with the diameter [m]; where particles have different
+                               ///< ones, their disks differ alike; 0: all disks have one size
+  int width = 1200;            ///< of the picture [px]; slender scenes make it narrower
   /// What to show [m]; absent: walls and container, or else where nearly all particles are.
   std::optional<Box<Dim>> view = {};
   std::optional<Box<Dim>> container = {};               ///< is always in the picture [m]

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plenum {
@@ -46,6 +47,21 @@ void checkValues(const ParticleSet<Dim>& particles, double support) {
   }
 }
 
+/// Pairs are summed with one kernel for all.
+template <int Dim>
+void checkSmoothingLengths(const ParticleSet<Dim>& particles) {
+  if (!particles.has(field::smoothingLength)) return;
+  const auto lengths = particles[field::smoothingLength].first(particles.nFluid());
+  const auto [least, most] = std::ranges::minmax(lengths);
+  constexpr double roundOff = 1e-6;  // floats of files made by others
+  if (most - least <= roundOff * most) return;
+  throw InputError(fmt::format(
+      "the particles' smoothing lengths reach from {:g} to {:g} m, because their spacing varies, "
+      "and the solver has one for all of them; make the set without [[refine]], equal_mass_with "
+      "and profiles of equal mass, or take it to a code with adaptive smoothing lengths",
+      least, most));
+}
+
 /// Fluid may touch the surface, so a wall must be as thick as the support of the kernel.
 template <int Dim>
 void checkCoverage(const SceneInfo<Dim>& info, const SolverSettings& settings) {
@@ -79,6 +95,7 @@ void checkBeforeRun(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particle
   if (particles.nFluid() == 0) throw InputError("the particle file has no fluid particle");
   checkFields(particles);
   checkValues(particles, 2 * settings.smoothingLength * info.spacing);
+  checkSmoothingLengths(particles);
   checkCoverage(info, settings);
   if (settings.collisions && settings.collisions->range > 2 * settings.smoothingLength)
     throw InputError(fmt::format(

@@ -50,6 +50,15 @@ TEST(Preflight, NamesTheParticleWithABadValue) {
   EXPECT_NE(refusal(scene).find("particle 9: position = -1e+30 m"), std::string::npos);
 }
 
+TEST(Preflight, RefusesSmoothingLengthsThatDiffer) {
+  Scene<2> scene = gas();
+  scene.particles.add({field::smoothingLength});
+  for (double& h : scene.particles[field::smoothingLength]) h = 0.15;
+  EXPECT_EQ(refusal(scene), "");
+  scene.particles[field::smoothingLength][3] = 0.075;
+  EXPECT_NE(refusal(scene).find("from 0.075 to 0.15 m"), std::string::npos) << refusal(scene);
+}
+
 TEST(Preflight, NamesTheMissingLayersOfAThinWall) {
   Scene<2> scene = gas();
   scene.info.walls = {{"floor", "lattice", 2, 0.2, 1.0, {}}, {"roof", "lattice", 4, 0.4, 1.0, {}}};
