@@ -36,11 +36,6 @@ struct Moments {
   }
 };
 
-template <int Dim>
-double spacingOf(double volume) {
-  return Dim == 1 ? volume : Dim == 2 ? std::sqrt(volume) : std::cbrt(volume);
-}
-
 }  // namespace
 
 template <int Dim>

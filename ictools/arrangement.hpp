@@ -6,9 +6,16 @@
 #include "ictools/relaxation.hpp"
 #include "ictools/surroundings.hpp"
 
+#include <cmath>
 #include <memory>
 
 namespace plenum {
+
+/// Edge of a cube of that volume [m].
+template <int Dim>
+double spacingOf(double volume) {
+  return Dim == 1 ? volume : Dim == 2 ? std::sqrt(volume) : std::cbrt(volume);
+}
 
 /// Fluid particles that are being moved among fixed ones, and the sums over their neighbours.
 /// field::mass holds the volumes that particles are meant to have [m^d] (their density is 1),

@@ -179,16 +179,18 @@ std::vector<std::pair<std::string, double>> qualityFigures(
       "smallest distance / d_ref",
       minDistance<Dim>(particles[field::position], domain, spacing, spacing * least / most) /
           spacing);
-  std::size_t i = 0;
+  std::size_t first = 0;
   for (const auto& fluid : fluids) {
     const std::string& name = fluid.settings.name;
-    double mass = 0;
-    for (const std::size_t end = i + fluid.nParticles; i < end; ++i)
-      mass += particles[field::mass][i];
+    const auto masses = particles[field::mass].subspan(first, fluid.nParticles);
+    first += fluid.nParticles;
+    const double mass = orderedSum<double>(masses.size(), [&](std::size_t k) { return masses[k]; });
     const double whole = fluid.settings.density * fluid.volume.value;
     figures.emplace_back(name + ": particles", fluid.nParticles);
     figures.emplace_back(name + ": mass", mass);
-    if (fluid.nCovered == 0 && !fluid.profile)
+    const bool hasOneDensity =
+        !fluid.profile && !fluid.settings.hydrostatic && !fluid.settings.pressure;
+    if (fluid.nCovered == 0 && hasOneDensity)
       figures.emplace_back(name + ": density x volume", whole);
     figures.emplace_back(name + ": left to earlier fluids", fluid.nCovered);
     for (int a = 0; a < Dim; ++a)

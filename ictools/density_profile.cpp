@@ -156,6 +156,11 @@ DensityProfilePtr<Dim> makeProfile(const ProfileKeys& keys, const CaseNode& node
 }
 
 template <int Dim>
+DensityProfilePtr<Dim> profileOf(const InitialState& state) {
+  return profileFrom<Dim>([state](const Vec<Dim>& x) { return state(x).density; });
+}
+
+template <int Dim>
 std::vector<double> densitiesAt(const DensityProfile<Dim>& profile,
                                 std::span<const Vec<Dim>> points, const CaseNode& node) {
   std::vector<double> result(points.size());
@@ -176,6 +181,7 @@ std::vector<double> densitiesAt(const DensityProfile<Dim>& profile,
 #define PLENUM_PROFILE(Dim)                                                                       \
   template DensityProfilePtr<Dim> makeProfile(const ProfileKeys&, const CaseNode&,                \
                                               const std::filesystem::path&);                      \
+  template DensityProfilePtr<Dim> profileOf(const InitialState&);                                 \
   template std::vector<double> densitiesAt(const DensityProfile<Dim>&, std::span<const Vec<Dim>>, \
                                            const CaseNode&);
 PLENUM_PROFILE(1)

@@ -3,6 +3,7 @@
 
 #include "geometry/geometry.hpp"
 #include "ictools/ic_settings.hpp"
+#include "ictools/state.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -34,6 +35,10 @@ using DensityProfilePtr = std::shared_ptr<const DensityProfile<Dim>>;
 template <int Dim>
 DensityProfilePtr<Dim> makeProfile(const ProfileKeys& keys, const CaseNode& node,
                                    const std::filesystem::path& folder);
+
+/// The density of `state`: that of its pressure by the equation of state.
+template <int Dim>
+DensityProfilePtr<Dim> profileOf(const InitialState& state);
 
 /// Densities at all points, from all threads. Throws InputError of `node`, with the place, where
 /// one is not positive and finite.

@@ -122,6 +122,9 @@ void checkFluid(const FluidSettings& fluid, int dimension) {
     at(fluid.node, "pressure").fail("excludes hydrostatic; give one of them");
   if (fluid.profile && fluid.hydrostatic)
     at(fluid.node, "profile").fail("excludes hydrostatic; give one of them");
+  if (!fluid.particles.empty() && !fluid.profile && !fluid.hydrostatic)
+    at(fluid.node, "particles")
+        .fail("goes with a profile or hydrostatic; leave it out, or give one of them");
   if (fluid.spacingFollowsDensity() && fluid.jitter > 0)
     at(fluid.node, "jitter")
         .fail("goes with a lattice, which equal masses replace; set lattice = \"random\" instead");
@@ -158,7 +161,7 @@ void checkPositions(const FluidSettings& fluid) {
 /// [[refine]] chooses places and masses by itself.
 void checkRefined(const FluidSettings& fluid) {
   if (fluid.spacingFollowsDensity())
-    at(fluid.node, "profile")
+    at(fluid.node, fluid.profile ? "profile" : "particles")
         .fail(
             "particles = \"equal_mass\" excludes [[refine]]: either the density chooses the "
             "spacing or the refinement does; set particles = \"equal_spacing\", so that masses "
@@ -228,10 +231,12 @@ const Section<FluidSettings>& fluidSection() {
                   "initial pressure, density follows; absent: solver.background_pressure")
           .section("hydrostatic", &S::hydrostatic, hydrostaticSection())
           .section("profile", &S::profile, profileSection())
-          .text("particles", &S::particles,
-                "of a profile: equal_mass, so that their spacing follows the density, or "
-                "equal_spacing, so that their mass does",
-                {"equal_mass", "equal_spacing"});
+          .text(
+              "particles", &S::particles,
+              "of a profile or hydrostatic: equal_mass, so that their spacing follows the density, "
+              "or equal_spacing, so that their mass does; absent: the first with a profile, the "
+              "second with hydrostatic",
+              {"equal_mass", "equal_spacing"});
   return section;
 }
 

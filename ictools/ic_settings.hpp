@@ -72,14 +72,16 @@ struct FluidSettings {
   std::optional<double> pressure;
   std::optional<HydrostaticSettings> hydrostatic;
   std::optional<ProfileKeys> profile;
-  std::string particles = "equal_mass";  ///< of a profile
-  CaseNode node;                         ///< where it stands, for messages
+  std::string particles;  ///< "equal_mass", "equal_spacing"; "": the first of a profile
+  CaseNode node;          ///< where it stands, for messages
 
   /// Particles stand where a lattice has points, at first.
   bool hasLattice() const { return lattice != "random" && !positions; }
 
-  /// Particles of one mass, whose spacing follows the profile.
-  bool spacingFollowsDensity() const { return profile && particles == "equal_mass"; }
+  /// Particles of one mass, whose spacing follows a profile or the hydrostatic density.
+  bool spacingFollowsDensity() const {
+    return profile ? particles != "equal_spacing" : hydrostatic && particles == "equal_mass";
+  }
 };
 
 /// A place where particles stand closer (resolution.hpp).

@@ -23,9 +23,12 @@ FluidFill<Dim> prepareFluid(const FluidSettings& fluid, const CaseSettings& sett
       fluid.region.empty() ? nullptr : regions.find(at(fluid.node, "region"));
   DensityProfilePtr<Dim> profile;
   if (fluid.profile) profile = makeProfile<Dim>(*fluid.profile, at(fluid.node, "profile"), folder);
+  if (!fluid.profile && fluid.spacingFollowsDensity())
+    profile = profileOf<Dim>(
+        InitialState(frame.solver, fluid.density, fluid.pressure, fluid.hydrostatic, fluid.node));
   if (fluid.spacingFollowsDensity() && !settings.relax)
     warn(
-        fmt::format("fluid \"{}\": particles of equal mass stand at random until a [relax] table "
+        fmt::format("fluid \"{}\": particles of equal mass stand unevenly until a [relax] table "
                     "arranges them",
                     fluid.name));
   FluidFill<Dim> fill = prepareFluid(fluid, region, profile, frame, warn);

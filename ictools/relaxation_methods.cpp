@@ -17,11 +17,6 @@ namespace {
 constexpr double furthestMove = 0.15;
 
 template <int Dim>
-double spacingOf(double volume) {
-  return std::pow(volume, 1.0 / Dim);
-}
-
-template <int Dim>
 Vec<Dim> limited(const Vec<Dim>& move, double largest) {
   const double length = norm(move);
   return length > largest ? move * (largest / length) : move;

@@ -14,7 +14,7 @@ import numpy
 
 MAKE_CAD = os.path.abspath(sys.argv.pop(4))
 
-from harness import IC, Programs  # noqa: E402  (takes the other arguments)
+from harness import CASES, IC, Programs  # noqa: E402  (takes the other arguments)
 from gallery_parts import (GALLERY, beyond_ball, beyond_box, beyond_gear, beyond_pipe,  # noqa: E402
                            beyond_slot, beyond_torus, gallery)
 

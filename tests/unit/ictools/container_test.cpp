@@ -70,8 +70,12 @@ TEST(Container, SetOperations) {
     const double exact = part->signedDistance(x);
     const double error = map.signedDistance(x) - exact;
     // Between samples d/2 apart, edges are rounded.
-    if (std::abs(exact) < d / 4) EXPECT_NEAR(error, 0, 0.3 * d);
-    if (std::abs(exact) < 3 * d) EXPECT_LT(exact > 0 ? error : -error, 0.3 * d);
+    if (std::abs(exact) < d / 4) {
+      EXPECT_NEAR(error, 0, 0.3 * d);
+    }
+    if (std::abs(exact) < 3 * d) {
+      EXPECT_LT(exact > 0 ? error : -error, 0.3 * d);
+    }
   }
 }
 

@@ -138,6 +138,52 @@ TEST_F(Profile, RelaxedSetsMeetTheirProfile) {
   EXPECT_LT(fine, 0.7 * coarse);  // the rim's share of the area halves with the spacing
 }
 
+const std::string column = R"(
+dimension = 2
+spacing = 0.02
+[geometry]
+column = { box = { lower = [0, 0], upper = [0.5, 1] } }
+[[fluid]]
+region = "column"
+density = 1000
+hydrostatic = { surface = 1 }
+[[wall]]
+outside = "column"
+method = "conformal"
+[solver]
+sound_speed = 5                         # so that the density is 39 % higher at the floor
+gravity = [0, -9.81]
+[relax]
+)";
+
+TEST(EqualMasses, OfAHydrostaticColumnFollowItsDensity) {
+  std::string text = column;
+  text.replace(text.find("[[wall]]"), 0, "particles = \"equal_mass\"\n");
+  const CaseNode root = CaseNode::parse(text, "test.toml");
+  const auto made = generate<2>(root, readCase(root), "test.toml", [](const auto&) {});
+  const auto& p = made.scene.particles;
+  double mass = 0;
+  for (std::size_t i = 0; i < p.nFluid(); ++i) {
+    EXPECT_EQ(p[field::mass][i], p[field::mass][0]);
+    const double depth = 1 - p[field::position][i][1];
+    EXPECT_NEAR(p[field::pressure][i], 1000 * 9.81 * depth, 1e-6);
+    mass += p[field::mass][i];
+  }
+  // integral of rho_0 (1 + g depth/c^2); to what midpoints of cells of half a spacing leave
+  EXPECT_NEAR(mass / (0.5 * 1000 * (1 + 9.81 / 50)), 1, 1e-3);
+  // .54 % are the kernel's bias
+  EXPECT_LE(reportOn(made.scene, made.profiles).profile.smoothed, 0.02);
+}
+
+TEST(EqualMasses, OfAHydrostaticColumnAreAskedForByName) {
+  const Scene<2> scene = test::sceneOf<2>(column);
+  const auto mass = scene.particles[field::mass];
+  EXPECT_GT(*std::max_element(mass.begin(), mass.end()), 1.3 * mass[scene.particles.nFluid() - 1]);
+  std::string text = column;
+  text.replace(text.find("hydrostatic"), 27, "particles = \"equal_mass\"");
+  EXPECT_NE(test::messageOf<2>(text).find("goes with a profile or hydrostatic"), std::string::npos);
+}
+
 const std::string blob = R"(
 dimension = 3
 spacing = 0.1
