@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace plenum {
 
@@ -77,11 +78,19 @@ std::vector<Layer<Dim>> sampleLayers(const WallSolid<Dim>& solid, double spacing
   lattice.startAt(box.lower + Vec<Dim>::filled(0.1234 * spacing));
   const auto candidates =
       latticePoints(lattice, box, *solid.geometry, solid.band(0, layers * spacing));
-  const auto distances = signedDistances<Dim>(*solid.geometry, candidates);
+  // Found and moved with one question to the geometry, which is what the time goes into.
   std::vector<std::vector<Vec<Dim>>> fine(static_cast<std::size_t>(layers));
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    const int layer = static_cast<int>(solid.depth(distances[k]) / spacing);
-    fine[static_cast<std::size_t>(std::clamp(layer, 0, layers - 1))].push_back(candidates[k]);
+  constexpr std::size_t batch = 65536;  // of 27 and more for each particle: feet of all are many
+  for (std::size_t first = 0; first < candidates.size(); first += batch) {
+    const auto part =
+        std::span(candidates).subspan(first, std::min(batch, candidates.size() - first));
+    const auto feet = closestPoints<Dim>(*solid.geometry, part);
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const double depth = solid.depth(feet[k].signedDistance);
+      const int layer = std::clamp(static_cast<int>(depth / spacing), 0, layers - 1);
+      fine[static_cast<std::size_t>(layer)].push_back(
+          part[k] + (depth - layerDepth(layer, spacing)) * solid.normal(feet[k]));
+    }
   }
   std::vector<Layer<Dim>> result;
   for (int k = 0; k < layers; ++k) {

@@ -57,7 +57,7 @@ class AtRest(Programs):
         figures.table("at_rest", rows)
         figures.chart("at_rest", "Fastest particle of a tank that should be at rest",
                       ("time [s]", "speed [% of sqrt(g H)]"), curves,
-                      "set logscale y", "set yrange [0.01:30]", "set key below",
+                      "set logscale y", "set yrange [0.01:30]",
                       "set arrow from 0,1 to 0.1,1 nohead lc rgb '#999999' dt 2")
 
 

@@ -25,7 +25,7 @@ def table(name, rows):
             file.write(text)
 
 
-def chart(name, title, axes, curves, *commands, size="760,520"):
+def chart(name, title, axes, curves, *commands, size="760,580"):
     """Curves {title: [(x, y), ...]} as a PNG, drawn by gnuplot; `axes` names x and y."""
     if not FOLDER:
         return
@@ -37,7 +37,8 @@ def chart(name, title, axes, curves, *commands, size="760,520"):
     script = (f"set terminal pngcairo size {size} font 'DejaVu Sans,11' noenhanced\n"
               f"set output '{os.path.join(FOLDER, name + '.png')}'\n"
               f"set title \"{title}\"\nset xlabel \"{axes[0]}\"\nset ylabel \"{axes[1]}\"\n"
-              "set grid lc rgb '#dddddd' lt 1\nset key top right\n"
+              "set grid lc rgb '#dddddd' lt 1\nset key below maxcols 1\n"
+              f"set bmargin {5 + len(curves)}\n"
               + "".join(command + "\n" for command in commands)
               + blocks + f"plot {', '.join(parts)}\n")
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
