@@ -180,7 +180,8 @@ TEST(EqualMasses, OfAHydrostaticColumnAreAskedForByName) {
   const auto mass = scene.particles[field::mass];
   EXPECT_GT(*std::max_element(mass.begin(), mass.end()), 1.3 * mass[scene.particles.nFluid() - 1]);
   std::string text = column;
-  text.replace(text.find("hydrostatic"), 27, "particles = \"equal_mass\"");
+  const std::string asked = "hydrostatic = { surface = 1 }";
+  text.replace(text.find(asked), asked.size(), "particles = \"equal_mass\"");
   EXPECT_NE(test::messageOf<2>(text).find("goes with a profile or hydrostatic"), std::string::npos);
 }
 
