@@ -97,6 +97,7 @@ void Arrangement<Dim>::retarget() {
   const auto position = particles_[field::position];
   const auto volume = particles_[field::mass];
   double growth = 1;
+  bool changed = false;
   for (std::size_t k = 0; k < fluids_.size(); ++k) {
     if (!fluids_[k].spacingVaries()) continue;
     std::vector<std::size_t> who;
@@ -110,10 +111,11 @@ void Arrangement<Dim>::retarget() {
     for (std::size_t p = 0; p < who.size(); ++p) {
       const double factor = std::pow(volumes[p] / volume[who[p]], adaptation);
       growth = std::max(growth, factor);
+      changed |= factor != 1;
       volume[who[p]] *= factor;
     }
   }
-  if (growth == 1) return;
+  if (!changed) return;
   setSmoothingLengths();
   engine_->grew(spacingOf<Dim>(growth));
 }

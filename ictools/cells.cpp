@@ -30,12 +30,18 @@ class Cutter {
   Cutter(const Geometry<Dim>* region, const Box<Dim>& box, const CellSizes<Dim>& sizes,
          double roundOff)
       : region_(region), box_(box), sizes_(sizes), roundOff_(roundOff) {
-    for (int a = 0; a < Dim; ++a)
-      edge_[a] = (box.upper[a] - box.lower[a]) / std::max(1.0, std::ceil(cellsAlong(a) - 1e-9));
+    // From cells so large that there are few: a thin region has nothing in most of its bounds.
+    constexpr double few = 1e5;
+    while (nFirst() > few) ++coarser_;
+    for (int a = 0; a < Dim; ++a) edge_[a] = (box.upper[a] - box.lower[a]) / firstAlong(a);
   }
 
   Cells<Dim> run() {
-    for (std::vector<Piece<Dim>> pieces = first(); !pieces.empty();) {
+    for (std::vector<Piece<Dim>> pieces = first(); !pieces.empty(); --coarser_) {
+      if (pieces.size() + cells_.centers.size() > sizes_.limit) {
+        cells_.isComplete = false;
+        break;
+      }
       thin(pieces);
       measure(pieces);
       pieces = cut(pieces);
@@ -44,8 +50,16 @@ class Cutter {
   }
 
  private:
-  double cellsAlong(int axis) const {
-    return (box_.upper[axis] - box_.lower[axis]) / sizes_.coarsest;
+  /// Cells along an axis before anything is cut.
+  double firstAlong(int axis) const {
+    const double cells = (box_.upper[axis] - box_.lower[axis]) / sizes_.coarsest;
+    return std::max(1.0, std::ceil(std::ldexp(cells, -coarser_) - 1e-9));
+  }
+
+  double nFirst() const {
+    double product = 1;
+    for (int a = 0; a < Dim; ++a) product *= firstAlong(a);
+    return product;
   }
 
   double volume() const {
@@ -112,7 +126,7 @@ class Cutter {
     const double edge = std::pow(volume() / weight_, 1.0 / Dim);
     std::vector<Piece<Dim>> parts;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-      if (edge > allowed[k] * (1 + 1e-9)) {
+      if (coarser_ > 0 || edge > allowed[k] * (1 + 1e-9)) {
         halve(pieces[k], parts);
       } else if (region_ == nullptr || pieces[k].clearance > roundOff_) {
         cells_.centers.push_back(pieces[k].center);
@@ -137,6 +151,7 @@ class Cutter {
   const CellSizes<Dim>& sizes_;
   double roundOff_;
   Vec<Dim> edge_;
+  int coarser_ = 0;  ///< times that pieces must be cut until none is too long
   double weight_ = 1;
   Random random_{1};
   Cells<Dim> cells_;
@@ -158,6 +173,7 @@ void sortAlongCurve(const Box<Dim>& box, Cells<Dim>& cells) {
   std::sort(keys.begin(), keys.end());
   Cells<Dim> sorted;
   sorted.isSampled = cells.isSampled;
+  sorted.isComplete = cells.isComplete;
   sorted.centers.reserve(keys.size());
   for (const auto& [key, k] : keys) sorted.centers.push_back(cells.centers[k]);
   std::vector<Vec<Dim>>().swap(cells.centers);

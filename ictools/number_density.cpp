@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/number_density.hpp"
 
+#include "engine/ordered_sum.hpp"
 #include "ictools/cells.hpp"
 #include "particles/number.hpp"
 #include "particles/parallel.hpp"
@@ -169,10 +170,18 @@ std::vector<Vec<Dim>> randomPlaces(const FluidFill<Dim>& fluid, const Cells<Dim>
   for (std::size_t k = 0; k < particles.size(); ++k) {
     passed += particles[k] / total * static_cast<double>(n);
     const double half = 0.5 * std::pow(cells.volumes[k], 1.0 / Dim);
-    const Box<Dim> cell{Vec<Dim>::filled(-half), Vec<Dim>::filled(half), {}};
     while (next < passed && points.size() < n) {
-      Vec<Dim> x = frame.domain.wrap(cells.centers[k] + random.pointIn(cell));
-      if (fluid.region && fluid.region->signedDistance(x) > -roundOff) x = cells.centers[k];
+      // Around the center, which is inside: nearer and nearer to it until the place is inside, too.
+      Vec<Dim> x;
+      for (double reach = half;; reach *= 0.8) {
+        const Box<Dim> cell{Vec<Dim>::filled(-reach), Vec<Dim>::filled(reach), {}};
+        x = frame.domain.wrap(cells.centers[k] + random.pointIn(cell));
+        if (!fluid.region || fluid.region->signedDistance(x) < -roundOff) break;
+        if (reach < 1e-3 * half) {
+          x = cells.centers[k];
+          break;
+        }
+      }
       points.push_back(x);
       next = static_cast<double>(points.size()) + random.number();
     }
@@ -180,6 +189,44 @@ std::vector<Vec<Dim>> randomPlaces(const FluidFill<Dim>& fluid, const Cells<Dim>
   // Round-off of the sum may leave the last one out.
   while (points.size() < n) points.push_back(cells.centers.back());
   return points;
+}
+
+/// What a fluid is filled by.
+template <int Dim>
+struct Portions {
+  Cells<Dim> cells;
+  std::vector<double> wanted;  ///< particles in each
+  std::size_t count = 0;       ///< of particles
+};
+
+/// Sets the share of a particle, too: its mass, or its volume over that of its lattice's cell.
+template <int Dim>
+Portions<Dim> portionsOf(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame) {
+  CellSizes<Dim> sizes = fillSizes(fluid, fluid.finest);
+  // Five a particle are usual; more are for thin parts, and for estimates that missed something.
+  sizes.limit = static_cast<std::size_t>(100 * fluid.expected + 1e6);
+  Portions<Dim> portions{cellsOf(fluid, sizes, frame), {}, 0};
+  const Cells<Dim>& cells = portions.cells;
+  if (!cells.isComplete)
+    nodeOf(fluid).fail(
+        fmt::format("asks for places far finer than the {:.3g} particles that were estimated; "
+                    "does it diverge somewhere? A larger spacing or a limit of the density is "
+                    "needed",
+                    fluid.expected));
+  if (cells.centers.empty())
+    at(fluid.settings.node, "region").fail("gets no particle; a smaller spacing is needed");
+  portions.wanted = particlesIn(fluid, cells);
+  const double total =
+      volumeOver(fluid, cells) *
+      orderedSum<double>(portions.wanted.size(), [&](std::size_t k) { return portions.wanted[k]; });
+  const double n = std::max(1.0, std::round(total));
+  const double share = total / n;
+  if (fluid.resolution)
+    fluid.volumeFactor = share;
+  else
+    fluid.particleMass = share * fluid.settings.density * fluid.lattice.cellVolume();
+  portions.count = static_cast<std::size_t>(n);
+  return portions;
 }
 
 /// Volumes by a profile's density, averaged around each point.
@@ -275,25 +322,19 @@ void countExpected(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& f
 }
 
 template <int Dim>
+void setShares(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame) {
+  portionsOf(fluid, frame);
+}
+
+template <int Dim>
 void fillByNumberDensity(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, Random random) {
-  const Cells<Dim> cells = cellsOf(fluid, fillSizes(fluid, fluid.finest), frame);
-  if (cells.centers.empty())
-    at(fluid.settings.node, "region").fail("gets no particle; a smaller spacing is needed");
-  const auto wanted = particlesIn(fluid, cells);
-  const double total =
-      volumeOver(fluid, cells) * std::accumulate(wanted.begin(), wanted.end(), 0.0);
-  const double n = std::max(1.0, std::round(total));
-  const double share = total / n;
-  if (fluid.resolution)
-    fluid.volumeFactor = share;
-  else
-    fluid.particleMass = share * fluid.settings.density * fluid.lattice.cellVolume();
-  const auto count = static_cast<std::size_t>(n);
+  const Portions<Dim> portions = portionsOf(fluid, frame);
   if (fluid.settings.lattice == "random") {
-    fluid.points = randomPlaces(fluid, cells, wanted, count, frame, random);
+    fluid.points =
+        randomPlaces(fluid, portions.cells, portions.wanted, portions.count, frame, random);
   } else {
-    const auto shares = sharesOf(cells, wanted, count);
-    fluid.points = middles(fluid, cells, shares, surfaceRoundOff * frame.spacing);
+    const auto shares = sharesOf(portions.cells, portions.wanted, portions.count);
+    fluid.points = middles(fluid, portions.cells, shares, surfaceRoundOff * frame.spacing);
   }
 }
 
@@ -312,7 +353,8 @@ std::vector<double> targetVolumes(const FluidFill<Dim>& fluid, std::span<const V
   template void countExpected(std::vector<FluidFill<Dim>>&, const SceneFrame<Dim>&, const Warn&); \
   template void fillByNumberDensity(FluidFill<Dim>&, const SceneFrame<Dim>&, Random);             \
   template std::vector<double> targetVolumes(const FluidFill<Dim>&, std::span<const Vec<Dim>>,    \
-                                             const Box<Dim>&);
+                                             const Box<Dim>&);                                    \
+  template void setShares(FluidFill<Dim>&, const SceneFrame<Dim>&);
 PLENUM_NUMBER_DENSITY(1)
 PLENUM_NUMBER_DENSITY(2)
 PLENUM_NUMBER_DENSITY(3)

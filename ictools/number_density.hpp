@@ -29,6 +29,11 @@ void countExpected(std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& f
 template <int Dim>
 void fillByNumberDensity(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, Random random);
 
+/// Sets only the share of a particle, as `fillByNumberDensity` does: for a fluid whose places are
+/// given.
+template <int Dim>
+void setShares(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame);
+
 /// Volume that each of a fluid's particles is meant to have at `points` [m^d]; where a profile
 /// jumps, that of the density averaged over about a spacing.
 template <int Dim>

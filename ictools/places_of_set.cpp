@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/places_of_set.hpp"
 
+#include "ictools/number_density.hpp"
 #include "ictools/positions.hpp"
 #include "particles/errors.hpp"
-#include "particles/number.hpp"
 
 #include <fmt/format.h>
 
@@ -36,15 +36,6 @@ void checkFluids(const std::vector<FluidFill<Dim>>& fluids, const SceneInfo<Dim>
         info.caseName, info.materials.size(), fluids.size()));
 }
 
-/// Volumes that a refinement wants at the fluid's points, all together [m^d].
-template <int Dim>
-double plainVolumes(const FluidFill<Dim>& fluid) {
-  double sum = 0;
-  for (const double ratio : ratiosAt<Dim>(*fluid.resolution, fluid.points))
-    sum += power<Dim>(ratio) * fluid.lattice.cellVolume();
-  return sum;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -52,12 +43,9 @@ void takePlaces(std::vector<FluidFill<Dim>>& fluids, const Scene<Dim>& scene,
                 const SceneFrame<Dim>& frame) {
   checkFluids(fluids, scene.info);
   for (FluidFill<Dim>& fluid : fluids) fluid.points.clear();
-  std::vector<double> masses(fluids.size(), 0), volumes(fluids.size(), 0);
   for (const std::size_t i : orderById(scene.particles)) {
     const auto m = static_cast<std::size_t>(scene.particles[field::material][i]);
     fluids[m].points.push_back(frame.domain.wrap(scene.particles[field::position][i]));
-    masses[m] += scene.particles[field::mass][i];
-    volumes[m] += scene.particles[field::mass][i] / scene.particles[field::density][i];
   }
   for (std::size_t m = 0; m < fluids.size(); ++m) {
     FluidFill<Dim>& fluid = fluids[m];
@@ -68,8 +56,7 @@ void takePlaces(std::vector<FluidFill<Dim>>& fluids, const Scene<Dim>& scene,
                       fluid.settings.name));
     fluid.isPlaced = true;
     fluid.settings.jitter = 0;  // the set has it
-    fluid.particleMass = masses[m] / static_cast<double>(fluid.points.size());
-    if (fluid.resolution) fluid.volumeFactor = volumes[m] / plainVolumes(fluid);
+    if (fluid.spacingVaries()) setShares(fluid, frame);
     checkInside(fluid, fluid.points, frame, fluid.settings.node);
   }
 }

@@ -29,24 +29,27 @@ InitialState::InitialState(const SolverSettings& solver, double referenceDensity
 
 template <int Dim>
 FluidState InitialState::operator()(const Vec<Dim>& x) const {
-  FluidState state{pressure_, referenceDensity_};
-  if (gravity_ > 0) {
-    double height = 0;  // against gravity
-    for (int a = 0; a < Dim; ++a)
-      height -= x[a] * solver_.gravity[static_cast<std::size_t>(a)] / gravity_;
-    state.pressure += referenceDensity_ * gravity_ * (surface_ - height);
-  }
-  const double c2 = solver_.soundSpeed * solver_.soundSpeed;
-  const double excess = (state.pressure - solver_.backgroundPressure) / (referenceDensity_ * c2);
-  const double gamma = solver_.taitExponent;
+  const double c2 = solver_.soundSpeed * solver_.soundSpeed, gamma = solver_.taitExponent;
+  const double excess = (pressure_ - solver_.backgroundPressure) / (referenceDensity_ * c2);
   const double base = 1 + gamma * excess;
-  if (!(base > 0))
-    table_.fail(fmt::format(
-        "pressure {:g} has no density at sound speed {:g} m/s; raise solver.sound_speed or the "
-        "pressure",
-        state.pressure, solver_.soundSpeed));
-  state.density = referenceDensity_ * (gamma == 1 ? base : std::pow(base, 1 / gamma));
-  return state;
+  if (!(base > 0)) failWithoutDensity(pressure_);
+  const double ratio = gamma == 1 ? base : std::pow(base, 1 / gamma);  // rho/rho_0
+  if (gravity_ == 0) return {pressure_, referenceDensity_ * ratio};
+  double depth = surface_;
+  for (int a = 0; a < Dim; ++a)
+    depth += x[a] * solver_.gravity[static_cast<std::size_t>(a)] / gravity_;
+  const double rise = gravity_ * depth / c2;
+  if (gamma == 1) return withDensity(referenceDensity_ * ratio * std::exp(rise));
+  const double power = std::pow(ratio, gamma - 1) + (gamma - 1) * rise;
+  if (!(power > 0)) failWithoutDensity(pressure_ + referenceDensity_ * gravity_ * depth);
+  return withDensity(referenceDensity_ * std::pow(power, 1 / (gamma - 1)));
+}
+
+void InitialState::failWithoutDensity(double pressure) const {
+  table_.fail(fmt::format(
+      "pressure {:g} has no density at sound speed {:g} m/s; raise solver.sound_speed or the "
+      "pressure",
+      pressure, solver_.soundSpeed));
 }
 
 FluidState InitialState::withDensity(double density) const {

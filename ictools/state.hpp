@@ -14,10 +14,11 @@ struct FluidState {
   double density = 0;
 };
 
-/// What a fluid or a wall starts with: a uniform pressure, or the hydrostatic one
-/// p = p_surface + rho0 |g| depth, where depth is measured along gravity. The density follows from
-/// the Tait equation [C] (2.4) turned round: rho = rho0 (1 + gamma (p - p0)/(rho0 c^2))^(1/gamma),
-/// that is rho0 + (p - p0)/c^2 for gamma = 1.
+/// What a fluid or a wall starts with: a uniform pressure, or the hydrostatic one, dp/ddepth =
+/// rho |g|, where depth is measured along gravity. Density and pressure belong to each other by the
+/// Tait equation [C] (2.4), so that with gamma = 1 rho = rho_s exp(|g| depth/c^2), else
+/// (rho/rho0)^(gamma-1) = (rho_s/rho0)^(gamma-1) + (gamma-1) |g| depth/c^2; rho_s is that of the
+/// surface's pressure. To first order in |g| depth/c^2, p = p_surface + rho_s |g| depth.
 class InitialState {
  public:
   /// `pressure` absent: p0, so that the density is rho0. `table` is the [[fluid]] or [[wall]], for
@@ -38,6 +39,8 @@ class InitialState {
   FluidState withDensity(double density) const;
 
  private:
+  [[noreturn]] void failWithoutDensity(double pressure) const;
+
   SolverSettings solver_;
   double referenceDensity_;
   double pressure_;  ///< uniform, or at the surface

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/surroundings.hpp"
 
+#include "ictools/layer_points.hpp"
 #include "ictools/number_density.hpp"
 #include "ictools/point_grid.hpp"
 
@@ -61,8 +62,10 @@ std::vector<FixedPoint<Dim>> continued(const FluidFill<Dim>& fluid, const SceneF
   }
   const int layers = static_cast<int>(std::ceil(shell.reach / shell.spacing - 1e-9));
   const WallSolid<Dim> outside{fluid.region, true};
-  for (const auto& point : conformalLayers(outside, shell.spacing, layers, box))
-    points.push_back({point.position, point.volume});
+  // Sampled in any dimension: tracing lays a grid over the whole box, and a shell may be fine.
+  for (const Layer<Dim>& layer : sampleLayers(outside, shell.spacing, layers, box))
+    for (const Vec<Dim>& x : layer.points)
+      points.push_back({x, layer.volume / static_cast<double>(layer.points.size())});
   return points;
 }
 
@@ -70,9 +73,10 @@ std::vector<FixedPoint<Dim>> continued(const FluidFill<Dim>& fluid, const SceneF
 template <int Dim>
 std::vector<FixedPoint<Dim>> freeShell(const std::vector<FluidFill<Dim>>& fluids, std::size_t own,
                                        const std::vector<WallFill<Dim>>& walls,
-                                       const SceneFrame<Dim>& frame, const Shell& shell) {
+                                       const SceneFrame<Dim>& frame,
+                                       const std::vector<Shell>& shells) {
   const double roundOff = surfaceRoundOff * frame.spacing;
-  auto points = continued(fluids[own], frame, shell);
+  auto points = continued(fluids[own], frame, shells[own]);
   const auto positions = [&] {
     std::vector<Vec<Dim>> all;
     for (const auto& point : points) all.push_back(point.position);
@@ -80,8 +84,10 @@ std::vector<FixedPoint<Dim>> freeShell(const std::vector<FluidFill<Dim>>& fluids
   };
   for (std::size_t k = 0; k < fluids.size(); ++k) {
     if (k == own || !fluids[k].region) continue;
-    // What lies outside of two fluids belongs to the shell of the first.
-    const double within = k < own ? shell.reach : roundOff;
+    // What the shells of two fluids reach belongs to the finer one, else to the first.
+    const bool yields = shells[k].spacing < shells[own].spacing ||
+                        (shells[k].spacing == shells[own].spacing && k < own);
+    const double within = yields ? shells[k].reach : roundOff;
     const auto distances = signedDistances<Dim>(*fluids[k].region, positions());
     eraseTaken(points, [&](std::size_t i) { return distances[i] <= within; });
   }
@@ -113,10 +119,11 @@ std::vector<FixedPoint<Dim>> surroundings(const std::vector<FluidFill<Dim>>& flu
   PointGrid<Dim> taken(frame.clipped(box.grown(frame.spacing)), closestInWalls * frame.spacing,
                        fixed.size());
   for (const FixedPoint<Dim>& point : fixed) taken.insert(point.position);
+  std::vector<Shell> shells;
+  for (const auto& fluid : fluids) shells.push_back(shellOf(fluid, frame, lengthOverSpacing));
   for (std::size_t k = 0; k < fluids.size(); ++k) {
-    const Shell shell = shellOf(fluids[k], frame, lengthOverSpacing);
-    const double apart = closestInWalls * std::min(frame.spacing, shell.spacing);
-    for (const FixedPoint<Dim>& point : freeShell(fluids, k, walls, frame, shell))
+    const double apart = closestInWalls * std::min(frame.spacing, shells[k].spacing);
+    for (const FixedPoint<Dim>& point : freeShell(fluids, k, walls, frame, shells))
       if (!(taken.nearest(point.position) < apart)) fixed.push_back(point);
   }
   return fixed;

@@ -58,7 +58,7 @@ void checkSmoothingLengths(const ParticleSet<Dim>& particles) {
   throw InputError(fmt::format(
       "the particles' smoothing lengths reach from {:g} to {:g} m, because their spacing varies, "
       "and the solver has one for all of them; make the set without [[refine]], equal_mass_with "
-      "and profiles of equal mass, or take it to a code with adaptive smoothing lengths",
+      "and particles = \"equal_mass\", or take it to a code with adaptive smoothing lengths",
       least, most));
 }
 

@@ -97,12 +97,29 @@ wall_pressure = "equation_of_state"
   const double cell =
       std::sqrt(3.0) / 2 * 0.02 * 0.02;  // 0.2 m is ten spacings: nothing is stretched
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const double p = 1000 * 9.81 * (1 - particles[field::position][i][1]);
-    const double rho = 1000 + p / 900;                           // p = c^2 (rho - rho_0)
+    // dp/ddepth = rho g with p = c^2 (rho - rho_0)
+    const double rho = 1000 * std::exp(9.81 * (1 - particles[field::position][i][1]) / 900);
+    const double p = 900 * (rho - 1000);
     EXPECT_NEAR(particles[field::pressure][i], p, 1e-11 * 1e4);  // round-off of 1e4 Pa
     EXPECT_NEAR(particles[field::density][i], rho, 1e-12 * 1e3);
     EXPECT_NEAR(particles[field::mass][i], rho * cell, 1e-12);
   }
+}
+
+TEST(Fluids, HydrostaticPressureCarriesTheWeightAboveIt) {
+  SolverSettings solver;
+  solver.soundSpeed = 20;
+  solver.gravity = {0, -9.81};
+  solver.taitExponent = 7;
+  const CaseNode table = CaseNode::parse("", "test.toml");
+  const InitialState state(solver, 1000, {}, HydrostaticSettings{2, 5e4}, table);
+  EXPECT_NEAR(state(Vec<2>{{0, 2}}).pressure, 5e4, 1e-6);
+  double weight = 5e4;
+  constexpr int n = 4000;
+  for (int k = 0; k < n; ++k)
+    weight += 9.81 * (2.0 / n) * state(Vec<2>{{0, 2 - (k + 0.5) * 2 / n}}).density;
+  // Midpoint rule: off by 2^3 |g rho''|/(24 n^2).
+  EXPECT_NEAR(state(Vec<2>{}).pressure, weight, 1e-5);
 }
 
 TEST(Fluids, DensityAnswersTheTaitEquation) {

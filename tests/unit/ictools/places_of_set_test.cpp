@@ -58,6 +58,33 @@ TEST(PlacesOfSet, AreWhereARelaxationGoesOn) {
   EXPECT_EQ(values(whole.scene, field::position), values(later.scene, field::position));
 }
 
+/// A disk whose particles have different volumes; `more` says how.
+std::string unevenDisk(const std::string& fluid, const std::string& more = "") {
+  return R"(
+dimension = 2
+spacing = 0.05
+[geometry]
+disk = { disk = { center = [0, 0], radius = 0.5 } }
+core = { disk = { center = [0, 0], radius = 0.1 } }
+[[fluid]]
+region = "disk"
+)" + fluid +
+         more;
+}
+
+TEST(PlacesOfSet, AreWhereUnevenSetsGoOnToo) {
+  const std::string refined =
+      unevenDisk("mass = \"exact\"\n", "[[refine]]\ninside = \"core\"\nspacing = 0.5\n");
+  const std::string dense = unevenDisk("profile = { power_law = { core_radius = 0.2 } }\n");
+  for (const std::string& text : {refined, dense}) {
+    const Generated<2> whole = generated(text + "[relax]\nmax_iterations = 20\n");
+    const Scene<2> first = generated(text).scene;
+    const Generated<2> later = generated(text + "[relax]\nmax_iterations = 20\n", &first);
+    EXPECT_EQ(values(whole.scene, field::position), values(later.scene, field::position)) << text;
+    EXPECT_EQ(values(whole.scene, field::mass), values(later.scene, field::mass)) << text;
+  }
+}
+
 std::string messageOf(const std::string& text, const Scene<2>& places) {
   try {
     generated(text, &places);

@@ -176,9 +176,10 @@ TEST(Refinement, InsideARegion) {
 }
 
 TEST(Refinement, WorksWithEachMethodOfRelaxation) {
-  // Lloyd's method reaches what it does on even sets (docs/relaxation.md, 2-D: 3.3 %); Voronoi
-  // moves have no rest where smoothing lengths differ and leave the set as it starts.
-  for (const auto& [method, bound] : {std::pair{"packing", 0.01}, {"wvt", 0.05}, {"lloyd", 0.05}}) {
+  // The set starts at 3.9 %; measured .2 %, .7 % and 2.2 %. Voronoi moves whose pushes do not
+  // cancel where smoothing lengths differ stay where they start.
+  for (const auto& [method, bound] :
+       {std::pair{"packing", 0.01}, {"wvt", 0.01}, {"lloyd", 0.025}}) {
     const std::string relax = fmt::format("method = \"{}\"\nmax_iterations = 200", method);
     EXPECT_LE(relaxedScatter(test::sceneOf<2>(annulus(0.5, "conformal", relax))), bound) << method;
   }
@@ -192,6 +193,29 @@ TEST(Refinement, StartsCloseToWhatIsWanted) {
   std::string random = start;
   random.insert(random.find("mass ="), "lattice = \"random\"\n");
   EXPECT_GT(relaxedScatter(test::sceneOf<2>(random)), 1.5 * middles);
+}
+
+TEST(Refinement, RandomPlacesAreAllDifferent) {
+  const std::string text = R"(
+dimension = 3
+spacing = 0.1
+[geometry]
+ball = { ball = { center = [0, 0, 0], radius = 0.5 } }
+[[fluid]]
+region = "ball"
+lattice = "random"
+[[refine]]
+near = "ball"
+spacing = 0.3
+)";
+  const Scene<3> scene = test::sceneOf<3>(text);
+  const auto position = scene.particles[field::position];
+  std::vector<Vec<3>> sorted(position.begin(), position.end());
+  std::ranges::sort(sorted, {}, [](const Vec<3>& x) { return x.components; });
+  const auto twin =
+      std::ranges::adjacent_find(sorted, {}, [](const Vec<3>& x) { return x.components; });
+  EXPECT_GT(sorted.size(), 5000u);  // many of them in cells that the surface cuts
+  EXPECT_TRUE(twin == sorted.end());
 }
 
 TEST(Refinement, HoldsAFreeSurface) {
