@@ -27,22 +27,29 @@ struct Shell {
 };
 
 /// From the particles nearest to the surface: the finest of their spacings, the largest support.
+/// The spacing is one for all of the surface, so where that takes many times the fluid's particles
+/// it is coarser, and holds the finest of them less evenly.
 template <int Dim>
 Shell shellOf(const FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, double lengthOverSpacing) {
   if (!fluid.spacingVaries())
     return {frame.support() * fluid.lengthScale, frame.spacing * fluid.lengthScale};
   const auto volumes = targetVolumes<Dim>(fluid, fluid.points, frame.domain);
   const auto distances = signedDistances<Dim>(*fluid.region, fluid.points);
-  double least = std::numeric_limits<double>::infinity(), most = 0;
+  double least = std::numeric_limits<double>::infinity(), most = 0, area = 0;
   for (std::size_t k = 0; k < volumes.size(); ++k) {
     const double edge = std::pow(volumes[k], 1.0 / Dim);
     if (-distances[k] > 2 * edge) continue;
     least = std::min(least, edge);
     most = std::max(most, edge);
+    if (-distances[k] < edge) area += std::pow(edge, Dim - 1);
   }
   if (most == 0) return {frame.support(), frame.spacing};
+  const double reach = 2 * lengthOverSpacing * most;
+  const double affordable = 2 * static_cast<double>(fluid.points.size()) + 1e5;
+  const double wanted = area * reach / std::pow(least, Dim);
+  if (wanted > affordable) least *= std::pow(wanted / affordable, 1.0 / Dim);
   const double cellEdge = std::pow(fluid.lattice.cellVolume(), 1.0 / Dim);
-  return {2 * lengthOverSpacing * most, frame.spacing * fluid.lengthScale * least / cellEdge};
+  return {reach, frame.spacing * fluid.lengthScale * least / cellEdge};
 }
 
 /// The fluid continued past its surface, whatever is there. Lattices go on; for particles that will

@@ -12,8 +12,8 @@ from harness import CASES, IC, SPH, Programs
 CASE = os.path.join(CASES, "initial_conditions", "tank_at_rest.toml")
 WAVE = math.sqrt(9.81 * 0.8)  # sqrt(g H) of the case [m/s]
 AT_REST = 0.01  # of sqrt(g H): what users may ask of a set
-# Starts with a constant density: the water falls freely, by g t, until the pressure wave from the
-# floor has come, after about .02 s; that is 7 % of sqrt(g H).
+# With a constant density the water at the surface falls freely, by g t, until the pressure wave from
+# the floor has come, after .02 s and more: 7 % of sqrt(g H).
 FALLS = 0.05
 
 STARTS = {
