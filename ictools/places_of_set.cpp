@@ -43,8 +43,10 @@ void takePlaces(std::vector<FluidFill<Dim>>& fluids, const Scene<Dim>& scene,
                 const SceneFrame<Dim>& frame) {
   checkFluids(fluids, scene.info);
   for (FluidFill<Dim>& fluid : fluids) fluid.points.clear();
+  const bool hasMaterials = scene.particles.has(field::material);  // a run of one fluid needs none
   for (const std::size_t i : orderById(scene.particles)) {
-    const auto m = static_cast<std::size_t>(scene.particles[field::material][i]);
+    const auto m = hasMaterials ? static_cast<std::size_t>(scene.particles[field::material][i])
+                                : std::size_t{0};
     fluids[m].points.push_back(frame.domain.wrap(scene.particles[field::position][i]));
   }
   for (std::size_t m = 0; m < fluids.size(); ++m) {

@@ -2,6 +2,7 @@
 """`plenum-ic relax`: from a case, from a set, with what it leaves beside the file."""
 
 import csv
+import os
 import unittest
 
 import h5py
@@ -42,6 +43,8 @@ class Relax(Programs):
                                              self.positions(other))
         self.assertTrue(numpy.any(self.positions("tank.relaxed.hdf") != self.positions("tank.hdf")))
         self.ok(SPH, "run", "tank.relaxed.hdf", "-q", "-o", "run", "--set", "solver.end_time=0.01")
+        self.ok(IC, "relax", os.path.join("run", "tank.relaxed_end.hdf"), "-q", "-o", "again.hdf")
+        self.assertEqual(self.positions("again.hdf").shape, self.positions("tank.hdf").shape)
 
     def test_writes_the_scatter_of_every_iteration(self):
         self.ok(IC, "relax", "tank.toml", "-q", "--max-iterations", "5", "--method", "wvt")
