@@ -50,7 +50,7 @@ void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
   const auto lengths = particles[field::smoothingLength].subspan(first, n);
   const auto materials = particles[field::material].subspan(first, n);
   const bool hasEqualMasses = settings.spacingFollowsDensity();
-  std::vector<double> volumes;  // that they were arranged with: they do not jump where densities do
+  std::vector<double> volumes;  // meant for particles there; they do not jump where densities do
   if (hasEqualMasses) volumes = targetVolumes<Dim>(fluid, positions, frame.domain);
   std::vector<double> ratios;  // of spacings to that of the fluid
   if (fluid.resolution) ratios = ratiosAt<Dim>(*fluid.resolution, positions);
