@@ -39,6 +39,9 @@ struct ParticleView {
   Real volume;                      ///< m/rho
   Real specificVolume;              ///< 1/rho
   Real pressureOverDensitySquared;  ///< p/rho^2
+  Real dynamicViscosity;
+  Real soundSpeed;
+  Vec<Dim, Real> densityGradient;
 
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
@@ -51,6 +54,9 @@ struct ParticleView {
     visit(FieldTag<FieldId::specificVolume>{}, &ParticleView::specificVolume);
     visit(FieldTag<FieldId::pressureOverDensitySquared>{},
           &ParticleView::pressureOverDensitySquared);
+    visit(FieldTag<FieldId::dynamicViscosity>{}, &ParticleView::dynamicViscosity);
+    visit(FieldTag<FieldId::soundSpeed>{}, &ParticleView::soundSpeed);
+    visit(FieldTag<FieldId::densityGradient>{}, &ParticleView::densityGradient);
   }
 };
 
@@ -103,9 +109,16 @@ struct Sums {
   Real density{0};
   Real velocityDivergence{0};
   Real kernelSum{0};
+  Real pressure{0};
+  Real positionDivergence{0};
   VectorSum<Real, Dim> kernelGradient;
   VectorSum<Real, Dim> push;
   VectorSum<Real, Dim> acceleration;  ///< what is no exchange: for terms that are not symmetric
+  VectorSum<Real, Dim> velocity;
+  VectorSum<Real, Dim> massMoment;
+  VectorSum<Real, Dim> densityGradient;
+  VectorSum<Real, Dim> momentDiagonal;
+  VectorSum<Real, Dim> momentMixed;
 
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
@@ -115,6 +128,13 @@ struct Sums {
     visit(FieldTag<FieldId::kernelGradient>{}, &Sums::kernelGradient);
     visit(FieldTag<FieldId::push>{}, &Sums::push);
     visit(FieldTag<FieldId::acceleration>{}, &Sums::acceleration);
+    visit(FieldTag<FieldId::pressure>{}, &Sums::pressure);
+    visit(FieldTag<FieldId::positionDivergence>{}, &Sums::positionDivergence);
+    visit(FieldTag<FieldId::velocity>{}, &Sums::velocity);
+    visit(FieldTag<FieldId::massMoment>{}, &Sums::massMoment);
+    visit(FieldTag<FieldId::densityGradient>{}, &Sums::densityGradient);
+    visit(FieldTag<FieldId::momentDiagonal>{}, &Sums::momentDiagonal);
+    visit(FieldTag<FieldId::momentMixed>{}, &Sums::momentMixed);
   }
 };
 

@@ -38,15 +38,26 @@ enum class FieldId : std::uint8_t {
   wall,
   normal,
   wallDistance,
+  referencePosition,
+  referenceNormal,
+  acceleration,
+  // constants of a particle's material, where these differ
+  dynamicViscosity,
+  soundSpeed,
   // computed from others as pairs are loaded, never stored
   volume,
   specificVolume,
   pressureOverDensitySquared,
   // sums of a step
   velocityDivergence,
-  acceleration,
   force,
   impulse,
+  massMoment,
+  slipVelocity,
+  densityGradient,
+  momentDiagonal,
+  momentMixed,
+  positionDivergence,
   // sums that judge a particle set or arrange it
   kernelSum,
   kernelGradient,
@@ -56,7 +67,7 @@ enum class FieldId : std::uint8_t {
 };
 
 inline constexpr std::size_t nFields = static_cast<std::size_t>(FieldId::count);
-static_assert(nFields <= 32, "FieldSet keeps one bit a field in 32 bits");
+static_assert(nFields <= 64, "FieldSet keeps one bit a field in 64 bits");
 
 /// Powers of the units of mass, length (with one part a dimension) and time in a unit.
 struct UnitPowers {
@@ -156,6 +167,44 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      true,
      "depth of a wall particle behind its surface; zero in fluids",
      {0, 1, 0, 0}},
+    {FieldId::referencePosition,
+     "reference_position",
+     "ReferencePositions",
+     "m",
+     Rank::vector,
+     Scope::walls,
+     true,
+     "where a particle of a moving wall stood when the run began; zero in fluids",
+     {0, 1, 0, 0}},
+    {FieldId::referenceNormal, "reference_normal", "ReferenceNormals", "", Rank::vector,
+     Scope::walls, true, "the normal that a particle of a moving wall had when the run began"},
+    {FieldId::acceleration,
+     "acceleration",
+     "Accelerations",
+     "m/s^2",
+     Rank::vector,
+     Scope::fluid,
+     true,
+     "acceleration at the end of the last step",
+     {0, 1, 0, -2}},
+    {FieldId::dynamicViscosity,
+     "dynamic_viscosity",
+     "DynamicViscosities",
+     "Pa s m^(3-d)",
+     Rank::scalar,
+     Scope::all,
+     false,
+     "dynamic viscosity of the particle's fluid",
+     {1, 2, -1, -1}},
+    {FieldId::soundSpeed,
+     "sound_speed",
+     "SoundSpeeds",
+     "m/s",
+     Rank::scalar,
+     Scope::all,
+     false,
+     "speed of sound",
+     {0, 1, 0, -1}},
     {FieldId::volume,
      "volume",
      "Volumes",
@@ -192,15 +241,6 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      false,
      "divergence of the velocity",
      {0, 0, 0, -1}},
-    {FieldId::acceleration,
-     "acceleration",
-     "Accelerations",
-     "m/s^2",
-     Rank::vector,
-     Scope::fluid,
-     false,
-     "acceleration",
-     {0, 1, 0, -2}},
     {FieldId::force,
      "force",
      "Forces",
@@ -219,6 +259,40 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      false,
      "change of momentum by collisions in this step",
      {1, 1, 0, -1}},
+    {FieldId::massMoment,
+     "mass_moment",
+     "MassMoments",
+     "kg/m^(d-1)",
+     Rank::vector,
+     Scope::walls,
+     false,
+     "sum of m W times the way from the neighbour",
+     {1, 1, -1, 0}},
+    {FieldId::slipVelocity,
+     "slip_velocity",
+     "SlipVelocities",
+     "m/s",
+     Rank::vector,
+     Scope::walls,
+     false,
+     "velocity that the fluid sees behind a wall that it sticks to",
+     {0, 1, 0, -1}},
+    {FieldId::densityGradient,
+     "density_gradient",
+     "DensityGradients",
+     "kg/m^(d+1)",
+     Rank::vector,
+     Scope::all,
+     false,
+     "gradient of the density",
+     {1, -1, -1, 0}},
+    {FieldId::momentDiagonal, "moment_diagonal", "MomentDiagonals", "", Rank::vector, Scope::all,
+     false, "xx, yy, zz of minus the sum of V r grad W; 1 where particles stand evenly"},
+    {FieldId::momentMixed, "moment_mixed", "MomentsMixed", "", Rank::vector, Scope::all, false,
+     "yz, zx, xy of minus the sum of V r grad W (xy alone, first, in 2-D); 0 where particles stand "
+     "evenly"},
+    {FieldId::positionDivergence, "position_divergence", "PositionDivergences", "", Rank::scalar,
+     Scope::all, false, "minus the sum of V r . grad W; d inside a fluid, less at its surface"},
     {FieldId::kernelSum, "kernel_sum", "KernelSums", "", Rank::scalar, Scope::all, false,
      "sum of V W over the neighbours; 1 where particles fill space evenly"},
     {FieldId::kernelGradient,
@@ -271,14 +345,24 @@ inline constexpr Field<Rank::label> material{FieldId::material};
 inline constexpr Field<Rank::label> wall{FieldId::wall};
 inline constexpr Field<Rank::vector> normal{FieldId::normal};
 inline constexpr Field<Rank::scalar> wallDistance{FieldId::wallDistance};
+inline constexpr Field<Rank::vector> referencePosition{FieldId::referencePosition};
+inline constexpr Field<Rank::vector> referenceNormal{FieldId::referenceNormal};
+inline constexpr Field<Rank::vector> acceleration{FieldId::acceleration};
+inline constexpr Field<Rank::scalar> dynamicViscosity{FieldId::dynamicViscosity};
+inline constexpr Field<Rank::scalar> soundSpeed{FieldId::soundSpeed};
 inline constexpr Field<Rank::scalar> volume{FieldId::volume};
 inline constexpr Field<Rank::scalar> specificVolume{FieldId::specificVolume};
 inline constexpr Field<Rank::scalar> pressureOverDensitySquared{
     FieldId::pressureOverDensitySquared};
 inline constexpr Field<Rank::scalar> velocityDivergence{FieldId::velocityDivergence};
-inline constexpr Field<Rank::vector> acceleration{FieldId::acceleration};
 inline constexpr Field<Rank::vector> force{FieldId::force};
 inline constexpr Field<Rank::vector> impulse{FieldId::impulse};
+inline constexpr Field<Rank::vector> massMoment{FieldId::massMoment};
+inline constexpr Field<Rank::vector> slipVelocity{FieldId::slipVelocity};
+inline constexpr Field<Rank::vector> densityGradient{FieldId::densityGradient};
+inline constexpr Field<Rank::vector> momentDiagonal{FieldId::momentDiagonal};
+inline constexpr Field<Rank::vector> momentMixed{FieldId::momentMixed};
+inline constexpr Field<Rank::scalar> positionDivergence{FieldId::positionDivergence};
 inline constexpr Field<Rank::scalar> kernelSum{FieldId::kernelSum};
 inline constexpr Field<Rank::vector> kernelGradient{FieldId::kernelGradient};
 inline constexpr Field<Rank::vector> push{FieldId::push};
@@ -300,13 +384,15 @@ class FieldSet {
   constexpr bool operator==(const FieldSet&) const = default;
 
  private:
-  static constexpr std::uint32_t bit(FieldId id) { return 1u << static_cast<unsigned>(id); }
-  static constexpr FieldSet fromBits(std::uint32_t bits) {
+  static constexpr std::uint64_t bit(FieldId id) {
+    return std::uint64_t{1} << static_cast<unsigned>(id);
+  }
+  static constexpr FieldSet fromBits(std::uint64_t bits) {
     FieldSet set;
     set.bits_ = bits;
     return set;
   }
-  std::uint32_t bits_ = 0;
+  std::uint64_t bits_ = 0;
 };
 
 namespace detail {

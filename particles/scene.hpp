@@ -8,16 +8,21 @@
 #include "particles/particle_set.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace plenum {
 
-/// A fluid's reference state.
+/// A fluid's reference state. What is absent is as [solver] says.
 struct Material {
   std::string name;
-  double density = 1;  ///< reference density rho_0 [kg/m^d]
+  double density = 1;                             ///< reference density rho_0 [kg/m^d]
+  std::optional<double> soundSpeed = {};          ///< c [m/s]
+  std::optional<double> taitExponent = {};        ///< gamma
+  std::optional<double> backgroundPressure = {};  ///< p0 [Pa m^(3-d)]
+  std::optional<double> dynamicViscosity = {};    ///< [Pa s m^(3-d)]
 };
 
 /// Rigid motion x' = velocity + angularVelocity x (x - center); in 2-D only the third component of
@@ -59,6 +64,8 @@ struct SceneInfo {
   std::vector<Wall> walls;
   ContainerMap<Dim> container;                          ///< the region in which fluid may be
   std::vector<std::pair<std::string, double>> quality;  ///< named figures of the particle set
+  /// What a run that stopped here needs to go on with the same bits; empty in other files.
+  std::vector<std::pair<std::string, double>> progress;
 };
 
 template <int Dim>

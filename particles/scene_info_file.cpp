@@ -33,10 +33,23 @@ void writeColumn(const hdf5::Group& group, const std::string& name, const std::v
   group.write(name, std::span<const T>(values), columns);
 }
 
+/// What a material may have of its own, by the name of its column; NaN where it has not.
+constexpr std::array<std::pair<const char*, std::optional<double> Material::*>, 4> ownValues{{
+    {"SoundSpeed", &Material::soundSpeed},
+    {"TaitExponent", &Material::taitExponent},
+    {"BackgroundPressure", &Material::backgroundPressure},
+    {"DynamicViscosity", &Material::dynamicViscosity},
+}};
+
 void writeMaterials(const hdf5::Group& group, const std::vector<Material>& materials) {
   group.writeTexts("Name", column(materials, &Material::name));
   writeColumn(group, "Density", column(materials, &Material::density));
   group.setText("Unit", "kg/m^d", "Density");
+  for (const auto& [name, member] : ownValues) {
+    std::vector<double> values;
+    for (const Material& material : materials) values.push_back((material.*member).value_or(NAN));
+    writeColumn(group, name, values);
+  }
 }
 
 void writeWalls(const hdf5::Group& group, const std::vector<Wall>& walls) {
@@ -60,6 +73,12 @@ std::vector<Material> readMaterials(const hdf5::Group& group) {
   const auto densities = group.read<double>("Density", names.size());
   std::vector<Material> materials;
   for (std::size_t k = 0; k < names.size(); ++k) materials.push_back({names[k], densities[k]});
+  for (const auto& [name, member] : ownValues) {
+    if (!group.has(name)) continue;  // a file of an earlier version
+    const auto values = group.read<double>(name, names.size());
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if (!std::isnan(values[k])) materials[k].*member = values[k];
+  }
   return materials;
 }
 
@@ -148,19 +167,19 @@ ContainerMap<Dim> readContainer(const hdf5::Group& group) {
   return map;
 }
 
-void writeQuality(const hdf5::Group& group,
-                  const std::vector<std::pair<std::string, double>>& quality) {
+void writeFigures(const hdf5::Group& group,
+                  const std::vector<std::pair<std::string, double>>& figures) {
   using Figure = std::pair<std::string, double>;
-  group.writeTexts("Name", column(quality, &Figure::first));
-  writeColumn(group, "Value", column(quality, &Figure::second));
+  group.writeTexts("Name", column(figures, &Figure::first));
+  writeColumn(group, "Value", column(figures, &Figure::second));
 }
 
-std::vector<std::pair<std::string, double>> readQuality(const hdf5::Group& group) {
+std::vector<std::pair<std::string, double>> readFigures(const hdf5::Group& group) {
   const std::vector<std::string> names = group.readTexts("Name");
   const auto values = group.read<double>("Value", names.size());
-  std::vector<std::pair<std::string, double>> quality;
-  for (std::size_t k = 0; k < names.size(); ++k) quality.emplace_back(names[k], values[k]);
-  return quality;
+  std::vector<std::pair<std::string, double>> figures;
+  for (std::size_t k = 0; k < names.size(); ++k) figures.emplace_back(names[k], values[k]);
+  return figures;
 }
 
 }  // namespace
@@ -180,7 +199,8 @@ void writeSceneInfo(const hdf5::Group& plenum, const SceneInfo<Dim>& info) {
   writeMaterials(plenum.create("Materials"), info.materials);
   writeWalls(plenum.create("Walls"), info.walls);
   writeContainer(plenum.create("Container"), info.container);
-  writeQuality(plenum.create("Quality"), info.quality);
+  writeFigures(plenum.create("Quality"), info.quality);
+  if (!info.progress.empty()) writeFigures(plenum.create("Progress"), info.progress);
 }
 
 template <int Dim>
@@ -198,7 +218,8 @@ SceneInfo<Dim> readSceneInfo(const hdf5::Group& plenum) {
   info.materials = readMaterials(plenum.open("Materials"));
   info.walls = readWalls(plenum.open("Walls"));
   info.container = readContainer<Dim>(plenum.open("Container"));
-  info.quality = readQuality(plenum.open("Quality"));
+  info.quality = readFigures(plenum.open("Quality"));
+  if (plenum.has("Progress")) info.progress = readFigures(plenum.open("Progress"));
   return info;
 }
 

@@ -85,7 +85,7 @@ TYPED_TEST(ParticleFile, ScratchFieldsAreNotWritten) {
   constexpr int dim = TypeParam::value;
   const TemporaryFolder folder;
   auto scene = sampleScene<dim>();
-  scene.particles.add({FieldId::acceleration, FieldId::velocityDivergence});
+  scene.particles.add({FieldId::force, FieldId::velocityDivergence});
   writeParticleFile(folder / "a.hdf", scene);
   EXPECT_TRUE(readParticleFile<dim>(folder / "a.hdf").particles.fields() == allStateFields());
 }

@@ -58,7 +58,8 @@ SceneInfo<Dim> sampleInfo() {
   info.smoothingLength = 0.5;
   info.domain.lower = Vec<Dim>::filled(-1);
   info.domain.upper = Vec<Dim>::filled(1);
-  info.materials = {{"water", 1000}, {"air", 1.2}};
+  info.materials = {{"water", 1000, 12.5, 7, -3.25, 1e-3}, {"air", 1.2}};
+  info.progress = {{"step", 12}, {"impulse", 1.0 / 3}};
   info.walls = {{"shaft", "lattice", 3, 1.0, 1, {{0, 0, 0}, {0, 0, 104.7}, {0.1, 0.2, 0.3}}},
                 {"housing", "conformal", 4, 4.0 / 3, 2, {}}};
   info.container.lower = Vec<Dim>::filled(-2);
@@ -108,6 +109,7 @@ void expectSame(const SceneInfo<Dim>& a, const SceneInfo<Dim>& b) {
   EXPECT_EQ(a.caseText, b.caseText);
   EXPECT_EQ(a.generator, b.generator);
   EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.progress, b.progress);
   EXPECT_EQ(a.spacing, b.spacing);
   EXPECT_EQ(a.kernel, b.kernel);
   EXPECT_EQ(a.smoothingLength, b.smoothingLength);
@@ -118,6 +120,10 @@ void expectSame(const SceneInfo<Dim>& a, const SceneInfo<Dim>& b) {
   for (std::size_t k = 0; k < a.materials.size(); ++k) {
     EXPECT_EQ(a.materials[k].name, b.materials[k].name);
     EXPECT_EQ(a.materials[k].density, b.materials[k].density);
+    EXPECT_EQ(a.materials[k].soundSpeed, b.materials[k].soundSpeed);
+    EXPECT_EQ(a.materials[k].taitExponent, b.materials[k].taitExponent);
+    EXPECT_EQ(a.materials[k].backgroundPressure, b.materials[k].backgroundPressure);
+    EXPECT_EQ(a.materials[k].dynamicViscosity, b.materials[k].dynamicViscosity);
   }
   ASSERT_EQ(a.walls.size(), b.walls.size());
   for (std::size_t k = 0; k < a.walls.size(); ++k) {
