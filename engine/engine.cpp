@@ -184,7 +184,7 @@ void Engine<Dim>::search(const ParticleSet<Dim>& particles) {
 template <int Dim>
 void Engine<Dim>::run(const PairPass<Dim>& pass, const ParticleSet<Dim>& particles) {
   assert(clusters_.nParticles == particles.size());
-  assert(pass.receivers == Group::fluids || options_.wallsReceive);
+  assert((pass.receivers == Group::fluids && !pass.reactions) || options_.wallsReceive);
   written_ = pass.writes;
   if (precision_ == Precision::mixed)
     run(inFloat_, pass, pass.inFloat, particles);
@@ -206,7 +206,7 @@ void Engine<Dim>::run(Numbers<T>& numbers, const PairPass<Dim>& pass, TileFuncti
   const auto summing = watch_.lap(Part::pairs);
   const auto chunks = list_.chunks();
   const auto takesPart = [&](std::size_t c) {
-    return c < list_.nFluidChunks() || hasWalls(pass.receivers);
+    return c < list_.nFluidChunks() || hasWalls(pass.receivers) || pass.reactions;
   };
 #pragma omp parallel
   {
@@ -258,7 +258,7 @@ TileWork<Dim, T> Engine<Dim>::workOf(Numbers<T>& numbers, std::size_t c,
   TileWork<Dim, T> work = workOf(numbers, c);
   work.fluidTiles = receives && gives;
   work.fromWalls = receives && hasWalls(pass.sources);
-  work.toWalls = gives && hasWalls(pass.receivers);
+  work.toWalls = (gives && hasWalls(pass.receivers)) || (work.fromWalls && pass.reactions);
   work.wallTiles = work.fromWalls || work.toWalls;
   return work;
 }

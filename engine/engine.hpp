@@ -9,9 +9,11 @@
 #include "engine/stopwatch.hpp"
 #include "engine/tile_list.hpp"
 #include "engine/units.hpp"
+#include "particles/parallel.hpp"
 #include "particles/particle_set.hpp"
 
 #include <limits>
+#include <tuple>
 
 namespace plenum {
 
@@ -46,21 +48,24 @@ class SumView {
     return wallsToo ? clusters_->nClusters : clusters_->nFluidClusters;
   }
 
-  /// Calls body(i, sum) for each particle of a cluster; the sum is a double or Vec<Dim>, in SI.
+  /// The sum of the particle at a place of a cluster, a double or Vec<Dim>, in SI.
+  Value at(std::size_t cluster, std::size_t place) const {
+    const T* value = sums_ + cluster * block_ + place;
+    if constexpr (R == Rank::vector) {
+      Vec<Dim> v;
+      for (int a = 0; a < Dim; ++a)
+        v[a] = unit_ * static_cast<double>(value[static_cast<std::size_t>(a) * clusterSize]);
+      return v;
+    } else {
+      return unit_ * static_cast<double>(*value);
+    }
+  }
+
+  /// Calls body(i, sum) for each particle of a cluster.
   template <class Body>
   void forEach(std::size_t cluster, Body&& body) const {
     const std::size_t first = clusters_->firstOf(cluster), end = clusters_->endOf(cluster);
-    const T* value = sums_ + cluster * block_;
-    for (std::size_t i = first; i < end; ++i, ++value) {
-      if constexpr (R == Rank::vector) {
-        Vec<Dim> v;
-        for (int a = 0; a < Dim; ++a)
-          v[a] = unit_ * static_cast<double>(value[static_cast<std::size_t>(a) * clusterSize]);
-        body(i, v);
-      } else {
-        body(i, unit_ * static_cast<double>(*value));
-      }
-    }
+    for (std::size_t i = first; i < end; ++i) body(i, at(cluster, i - first));
   }
 
  private:
@@ -93,6 +98,9 @@ class Engine {
   /// it did. Throws RunError for particles that cannot be sorted or searched.
   bool update(ParticleSet<Dim>& particles);
 
+  /// Whether the next update will search anew, wherever particles go until then.
+  bool isOld() const;
+
   /// To be called when particles have moved: no one further than `distance` [m].
   void moved(double distance) { travelled_ += distance; }
   /// To be called when smoothing lengths have changed: none by a larger factor.
@@ -114,6 +122,26 @@ class Engine {
       visit(SumView<R, Dim, float>(clusters_, inFloat_.sums.data(), unit, nOut, first));
     else
       visit(SumView<R, Dim, double>(clusters_, inDouble_.sums.data(), unit, nOut, first));
+  }
+
+  /// Calls body(i, sums...) for each particle of a group, in parallel: what the last pass wrote for
+  /// these fields.
+  template <class Body, Rank... R>
+  void forEachSum(Group group, Body&& body, Field<R>... fields) const {
+    const int nOut = componentsOf<Dim>(written_);
+    const auto visit = [&]<class T>(const Numbers<T>& numbers) {
+      const std::tuple views(SumView<R, Dim, T>(clusters_, numbers.sums.data(),
+                                                options_.units.of(fields.id, Dim), nOut,
+                                                offsetOf<Dim>(written_, fields.id))...);
+      const std::size_t begin = hasFluids(group) ? 0 : clusters_.nFluidClusters;
+      const std::size_t end = hasWalls(group) ? clusters_.nClusters : clusters_.nFluidClusters;
+      forEachIndex(end - begin, [&](std::size_t k) {
+        const std::size_t c = begin + k, first = clusters_.firstOf(c);
+        for (std::size_t i = first; i < clusters_.endOf(c); ++i)
+          std::apply([&](const auto&... view) { body(i, view.at(c, i - first)...); }, views);
+      });
+    };
+    precision_ == Precision::mixed ? visit(inFloat_) : visit(inDouble_);
   }
 
   /// A copy of them: for tests and tools.
@@ -152,7 +180,6 @@ class Engine {
   void requireSortable(const ParticleSet<Dim>& particles) const;
   void sort(ParticleSet<Dim>& particles);
   void search(const ParticleSet<Dim>& particles);
-  bool isOld() const;
   void setSupports(const ParticleSet<Dim>& particles);
   void requireRoomForSupport() const;
   template <class T>

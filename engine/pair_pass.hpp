@@ -19,6 +19,7 @@ template <int Dim>
 struct PairPass {
   FieldSet reads, writes;
   Group receivers = Group::fluids, sources = Group::all;
+  bool reactions = false;  ///< walls get what they do to fluids, too, and nothing from each other
   TileFunction<Dim, float> inFloat = nullptr;
   TileFunction<Dim, double> inDouble = nullptr;
   std::shared_ptr<const void> parameters;  ///< what the functions were made for

@@ -37,8 +37,8 @@ void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
               const SceneFrame<Dim>& frame, ParticleSet<Dim>& particles) {
   const FluidSettings& settings = fluid.settings;
   const std::size_t n = fluid.nParticles;
-  const InitialState state(frame.solver, settings.density, settings.pressure, settings.hydrostatic,
-                           settings.node);
+  const InitialState state(settings.ownSolver(frame.solver), settings.density, settings.pressure,
+                           settings.hydrostatic, settings.node);
   Vec<Dim> velocity;
   for (std::size_t a = 0; a < settings.velocity.size(); ++a)
     velocity[static_cast<int>(a)] = settings.velocity[a];
@@ -80,15 +80,24 @@ void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
   });
 }
 
+/// The equation of state of a wall is that of the fluid whose density it has.
+template <int Dim>
+SolverSettings solverOf(const WallFill<Dim>& wall, const std::vector<FluidFill<Dim>>& fluids,
+                        const SolverSettings& solver) {
+  for (const FluidFill<Dim>& fluid : fluids)
+    if (fluid.settings.density == wall.density) return fluid.settings.ownSolver(solver);
+  return solver;
+}
+
 template <int Dim>
 void addWall(const WallFill<Dim>& wall, int row, std::size_t first, const SceneFrame<Dim>& frame,
-             ParticleSet<Dim>& particles) {
+             const SolverSettings& solver, ParticleSet<Dim>& particles) {
   const WallSettings& settings = wall.settings;
   const RigidMotion motion = rigidMotion<Dim>(settings);
-  const InitialState state(frame.solver, wall.density, settings.pressure, settings.hydrostatic,
+  const InitialState state(solver, wall.density, settings.pressure, settings.hydrostatic,
                            settings.node);
   const bool isPassive =
-      frame.solver.wallPressure == "zero" && !settings.pressure && !settings.hydrostatic;
+      solver.wallPressure == "zero" && !settings.pressure && !settings.hydrostatic;
   for (std::size_t k = 0; k < wall.points.size(); ++k) {
     const WallPoint<Dim>& point = wall.points[k];
     const std::size_t i = particles.nFluid() + first + k;
@@ -157,7 +166,8 @@ ParticleSet<Dim> assemble(std::vector<FluidFill<Dim>>& fluids,
   }
   first = 0;
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    addWall(walls[k], static_cast<int>(k), first, frame, particles);
+    addWall(walls[k], static_cast<int>(k), first, frame, solverOf(walls[k], fluids, frame.solver),
+            particles);
     first += walls[k].points.size();
   }
   const auto ids = particles[field::id];

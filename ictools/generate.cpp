@@ -90,7 +90,9 @@ SceneInfo<Dim> sceneInfo(const CaseNode& root, const CaseSettings& settings,
   info.kernel = frame.solver.kernel;
   info.smoothingLength = frame.smoothingLength();
   for (const auto& fluid : fluids)
-    info.materials.push_back({fluid.settings.name, fluid.settings.density});
+    info.materials.push_back({fluid.settings.name, fluid.settings.density,
+                              fluid.settings.soundSpeed, fluid.settings.taitExponent,
+                              fluid.settings.backgroundPressure, fluid.settings.dynamicViscosity});
   for (const auto& wall : walls)
     info.walls.push_back({wall.settings.name, wall.settings.method, wall.layers, wall.thickness,
                           wall.density, rigidMotion<Dim>(wall.settings)});

@@ -218,6 +218,14 @@ const Section<FluidSettings>& fluidSection() {
           .number("jitter", &S::jitter, "d_ref", Range::between(0, 0.5),
                   "noise: each coordinate is moved by up to this much")
           .number("density", &S::density, "kg/m^d", Range::positive(), "reference density rho_0")
+          .number("sound_speed", &S::soundSpeed, "m/s", Range::positive(),
+                  "c of this fluid; absent: solver.sound_speed")
+          .number("tait_exponent", &S::taitExponent, "", Range::between(1, 20),
+                  "gamma of this fluid; absent: solver.tait_exponent")
+          .number("background_pressure", &S::backgroundPressure, "Pa m^(3-d)", Range::any(),
+                  "p0 of this fluid; absent: solver.background_pressure")
+          .number("dynamic_viscosity", &S::dynamicViscosity, "Pa s m^(3-d)", Range::positive(),
+                  "mu of this fluid; absent: solver.viscosity.laminar.dynamic_viscosity")
           .text("mass", &S::mass,
                 "cell: density times the lattice's cell; exact: density times the region's exact "
                 "volume over the number of particles; absent: cell, or exact with positions",

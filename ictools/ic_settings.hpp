@@ -66,6 +66,10 @@ struct FluidSettings {
   int seed = 1;
   double jitter = 0;  ///< [d_ref]
   double density = 1;
+  std::optional<double> soundSpeed;  ///< [m/s]; this and the next three: absent: as [solver]
+  std::optional<double> taitExponent;
+  std::optional<double> backgroundPressure;  ///< [Pa m^(3-d)]
+  std::optional<double> dynamicViscosity;    ///< [Pa s m^(3-d)]
   std::string mass = "cell";
   std::string equalMassWith;  ///< the fluid whose particles have the same mass; "": spacing d_ref
   std::vector<double> velocity;
@@ -74,6 +78,14 @@ struct FluidSettings {
   std::optional<ProfileKeys> profile;
   std::string particles;  ///< "equal_mass", "equal_spacing"; "": the first of a profile
   CaseNode node;          ///< where it stands, for messages
+
+  /// [solver] with this fluid's own equation of state.
+  SolverSettings ownSolver(SolverSettings solver) const {
+    solver.soundSpeed = soundSpeed.value_or(solver.soundSpeed);
+    solver.taitExponent = taitExponent.value_or(solver.taitExponent);
+    solver.backgroundPressure = backgroundPressure.value_or(solver.backgroundPressure);
+    return solver;
+  }
 
   /// Particles stand where a lattice has points, at first.
   bool hasLattice() const { return lattice != "random" && !positions; }

@@ -24,8 +24,8 @@ FluidFill<Dim> prepareFluid(const FluidSettings& fluid, const CaseSettings& sett
   DensityProfilePtr<Dim> profile;
   if (fluid.profile) profile = makeProfile<Dim>(*fluid.profile, at(fluid.node, "profile"), folder);
   if (!fluid.profile && fluid.spacingFollowsDensity())
-    profile = profileOf<Dim>(
-        InitialState(frame.solver, fluid.density, fluid.pressure, fluid.hydrostatic, fluid.node));
+    profile = profileOf<Dim>(InitialState(fluid.ownSolver(frame.solver), fluid.density,
+                                          fluid.pressure, fluid.hydrostatic, fluid.node));
   if (fluid.spacingFollowsDensity() && !settings.relax)
     warn(
         fmt::format("fluid \"{}\": particles of equal mass stand unevenly until a [relax] table "

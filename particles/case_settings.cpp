@@ -20,8 +20,32 @@ Section<ViscositySettings> viscositySection() {
   Section<MonaghanSettings> monaghan("Monaghan's artificial viscosity Pi_ij (Monaghan 1992)");
   monaghan.number("alpha", &MonaghanSettings::alpha, "", Range::notNegative(), "linear coefficient")
       .number("beta", &MonaghanSettings::beta, "", Range::notNegative(), "quadratic coefficient");
+  Section<LaminarSettings> laminar(
+      "viscosity of a Newtonian fluid that sticks to walls (Morris et al. 1997)");
+  laminar.number("dynamic_viscosity", &LaminarSettings::dynamicViscosity, "Pa s m^(3-d)",
+                 Range::positive(), "mu, of fluids that name none of their own");
   Section<ViscositySettings> section("viscosity; absent: none");
-  section.section("monaghan", &ViscositySettings::monaghan, monaghan);
+  section.section("monaghan", &ViscositySettings::monaghan, monaghan)
+      .section("laminar", &ViscositySettings::laminar, laminar);
+  return section;
+}
+
+Section<DensityDiffusionSettings> densityDiffusionSection() {
+  Section<DensityDiffusionSettings> section(
+      "diffusion of density between fluid particles (delta-SPH, Marrone et al. 2011); absent: "
+      "none");
+  section.number("delta", &DensityDiffusionSettings::delta, "", Range::above(0, 1), "its strength");
+  return section;
+}
+
+Section<ShiftingSettings> shiftingSection() {
+  using S = ShiftingSettings;
+  Section<S> section(
+      "particles move to where fewer are after each step (Lind et al. 2012); absent: they do not");
+  section
+      .number("coefficient", &S::coefficient, "", Range::above(0, 20),
+              "A: the way is A h |v| dt times the gradient of the concentration")
+      .flag("free_surface", &S::freeSurface, "particles at a free surface stay where they are");
   return section;
 }
 
@@ -61,14 +85,24 @@ const Section<SolverSettings>& solverSection() {
                   "gamma of the equation of state")
           .section("viscosity", &S::viscosity, viscositySection())
           .section("collisions", &S::collisions, collisionSection())
+          .section("density_diffusion", &S::densityDiffusion, densityDiffusionSection())
+          .section("shifting", &S::shifting, shiftingSection())
           .vector("gravity", &S::gravity, "m/s^2", "acceleration of gravity; absent: none")
-          .text("wall_pressure", &S::wallPressure,
-                "walls stay at p = 0 and their density, or follow the fluid's equations",
-                {"zero", "equation_of_state"})
+          .text(
+              "wall_pressure", &S::wallPressure,
+              "walls keep p = 0 and their density; keep the pressure that they start with; follow "
+              "the fluid's equations; or take the pressure of the fluid before them (Adami et "
+              "al. 2012)",
+              {"zero", "initial", "equation_of_state", "extrapolated"})
+          .text("integrator", &S::integrator,
+                "symplectic Euler as in the sources, or kick-drift-kick, of second order",
+                {"symplectic_euler", "kick_drift_kick"})
           .number("time_step", &S::timeStep, "s", Range::positive(),
                   "fixed time step; absent: from cfl")
           .number("cfl", &S::cfl, "", Range::above(0, 2),
-                  "time step = cfl min(h/(c + |v|), sqrt(h/|a|))")
+                  "time step = cfl min(h/(c + |v|), sqrt(h/|a|)), at most h^2/(8 nu)")
+          .number("speed_limit", &S::speedLimit, "c", Range::positive(),
+                  "the run stops when a particle is faster")
           .text("precision", &S::precision,
                 "numbers in which pairs are computed: float with the state in double (mixed), or "
                 "double",

@@ -24,8 +24,25 @@ struct MonaghanSettings {
   double beta = 0;
 };
 
+/// The physical viscosity of a Newtonian fluid, which sticks to walls.
+struct LaminarSettings {
+  double dynamicViscosity = 1e-3;  ///< mu [Pa s m^(3-d)], of fluids that name none of their own
+};
+
 struct ViscositySettings {
-  std::optional<MonaghanSettings> monaghan;
+  std::optional<MonaghanSettings> monaghan = {};
+  std::optional<LaminarSettings> laminar = {};
+};
+
+/// delta-SPH: diffusion of the density, in the continuity equation.
+struct DensityDiffusionSettings {
+  double delta = 0.1;
+};
+
+/// Moves particles towards an even arrangement after each step.
+struct ShiftingSettings {
+  double coefficient = 2;
+  bool freeSurface = false;  ///< leaves particles at a free surface where they are
 };
 
 struct CollisionSettings {
@@ -44,15 +61,29 @@ struct SolverSettings {
   double taitExponent = 1;        ///< gamma
   std::optional<ViscositySettings> viscosity;
   std::optional<CollisionSettings> collisions;
+  std::optional<DensityDiffusionSettings> densityDiffusion;
+  std::optional<ShiftingSettings> shifting;
   std::vector<double> gravity;  ///< [m/s^2]; empty: none
   std::string wallPressure = "zero";
+  std::string integrator = "symplectic_euler";
   std::optional<double> timeStep;  ///< fixed [s]; absent: from cfl
   double cfl = 0.2;
+  double speedLimit = 5;            ///< [c]: a particle that is faster ends the run
   std::string precision = "mixed";  ///< of pairs; the state is in double
   double endTime = 1;               ///< [s]
 
-  /// Density and pressure of walls follow the fluid's equations, instead of standing still.
+  /// Density and pressure of walls follow the fluid's equations.
   bool wallsEvolve() const { return wallPressure == "equation_of_state"; }
+  /// They are those of the fluid in front of them.
+  bool wallsExtrapolate() const { return wallPressure == "extrapolated"; }
+  bool sumsDensity() const { return density == "summation"; }
+  bool kicksTwice() const { return integrator == "kick_drift_kick"; }
+  const MonaghanSettings* monaghan() const {
+    return viscosity && viscosity->monaghan ? &*viscosity->monaghan : nullptr;
+  }
+  const LaminarSettings* laminar() const {
+    return viscosity && viscosity->laminar ? &*viscosity->laminar : nullptr;
+  }
 };
 
 struct OutputSettings {

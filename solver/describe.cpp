@@ -11,31 +11,60 @@ namespace plenum {
 namespace {
 
 std::string densityLine(const SolverSettings& s) {
-  return s.density == "summation" ? "density          sum over neighbours (2.2)\n"
-                                  : "density          continuity (5.23)\n";
+  std::string text = s.sumsDensity() ? "density          sum over neighbours (2.2)"
+                                     : "density          continuity (5.23)";
+  if (s.densityDiffusion)
+    text += fmt::format(", delta-SPH diffusion {:g}", s.densityDiffusion->delta);
+  return text + "\n";
+}
+
+std::string phaseLines(const Phases& phases, const std::vector<Material>& materials,
+                       const SolverSettings& s) {
+  std::string text;
+  for (std::size_t k = 0; k < phases.size(); ++k) {
+    const Tait& state = phases[k].state;
+    text += fmt::format(
+        "fluid            {}: rho0 = {:g}, Tait with c = {:g} m/s, gamma = {:g}, "
+        "p0 = {:g}",
+        materials[k].name, state.referenceDensity, state.soundSpeed, state.exponent,
+        state.backgroundPressure);
+    if (s.laminar()) text += fmt::format(", mu = {:g}", phases[k].dynamicViscosity);
+    text += "\n";
+  }
+  return text;
 }
 
 std::string forceLines(const SolverSettings& s) {
   std::string text = fmt::format("pressure force   {}\n", momentumForm(s) == "density_squared"
                                                               ? "p/rho^2 form (2.3)"
                                                               : "(p + p)/(rho rho) form (5.24)");
-  text += fmt::format("equation of state  Tait: c = {:g} m/s, gamma = {:g}, p0 = {:g}\n",
-                      s.soundSpeed, s.taitExponent, s.backgroundPressure);
-  if (s.viscosity && s.viscosity->monaghan)
+  if (s.monaghan())
     text += fmt::format("viscosity        Monaghan: alpha = {:g}, beta = {:g}\n",
-                        s.viscosity->monaghan->alpha, s.viscosity->monaghan->beta);
+                        s.monaghan()->alpha, s.monaghan()->beta);
+  if (s.laminar()) text += "viscosity        laminar (Morris et al. 1997), walls without slip\n";
   if (s.collisions)
     text += fmt::format("collisions       {} pairs closer than {:g} d_ref, restitution {:g}\n",
                         s.collisions->pairs == "all" ? "all" : s.collisions->pairs,
                         s.collisions->range, s.collisions->restitution);
+  if (s.shifting)
+    text += fmt::format("shifting         A = {:g}{}\n", s.shifting->coefficient,
+                        s.shifting->freeSurface ? ", not at free surfaces" : "");
   return text;
+}
+
+std::string wallLine(std::size_t nWalls, const std::string& model) {
+  const char* what = model == "zero"                ? "zero"
+                     : model == "initial"           ? "as at the start"
+                     : model == "equation_of_state" ? "from the equation of state"
+                                                    : "extrapolated from the fluid";
+  return fmt::format("walls            {}, pressure {}\n", nWalls, what);
 }
 
 template <int Dim>
 std::string leftOut(const Simulation<Dim>& simulation) {
   const SolverSettings& s = simulation.settings();
   std::vector<std::string> absent{"energy equation"};
-  if (!s.viscosity || !s.viscosity->monaghan) absent.push_back("viscosity");
+  if (!s.monaghan() && !s.laminar()) absent.push_back("viscosity");
   if (!s.collisions) absent.push_back("collisions");
   if (s.gravity.empty()) absent.push_back("gravity");
   if (simulation.particles().nWalls() == 0) absent.push_back("walls");
@@ -54,15 +83,14 @@ std::string describeModel(const Simulation<Dim>& simulation) {
       "kernel           {}, h = {:g} d_ref, support {:g} m\n",
       particles.nFluid(), particles.nWalls(), Dim, simulation.info().spacing, s.kernel,
       s.smoothingLength, simulation.engine().support());
+  text += phaseLines(simulation.phases(), simulation.info().materials, s);
   text += densityLine(s) + forceLines(s);
   if (!s.gravity.empty())
     text += fmt::format("gravity          ({:g}) m/s^2\n", fmt::join(s.gravity, ", "));
-  if (particles.nWalls() > 0)
-    text += fmt::format("walls            {}, pressure {}\n", simulation.info().walls.size(),
-                        s.wallPressure == "zero" ? "zero" : "from the equation of state");
-  text +=
-      fmt::format("time step        {}\n", s.timeStep ? fmt::format("{:g} s, fixed", *s.timeStep)
-                                                      : fmt::format("cfl {:g}", s.cfl));
+  if (particles.nWalls() > 0) text += wallLine(simulation.info().walls.size(), s.wallPressure);
+  text += fmt::format(
+      "time step        {}, {}\n", s.kicksTwice() ? "kick-drift-kick" : "symplectic Euler",
+      s.timeStep ? fmt::format("{:g} s, fixed", *s.timeStep) : fmt::format("cfl {:g}", s.cfl));
   text += fmt::format("pairs            {}, with {} instructions\n",
                       s.precision == "mixed" ? "in float, state in double" : "in double",
                       nameOf(instructionSet()));

@@ -24,6 +24,13 @@ struct Tait {
            stiffness * ((exponent == 7 ? seventhPower(ratio) : std::pow(ratio, exponent)) - 1);
   }
 
+  /// The density at which the pressure is p   [kg/m^d]; NaN if there is none.
+  double density(double p) const {
+    const double stiffness = soundSpeed * soundSpeed * referenceDensity / exponent;
+    const double ratio = 1 + (p - backgroundPressure) / stiffness;
+    return referenceDensity * (exponent == 1 ? ratio : std::pow(ratio, 1 / exponent));
+  }
+
   /// Specific energy of compression from rho0, the integral of p/rho^2 d rho   [J/kg].
   double compressionEnergy(double density) const {
     const double ratio = density / referenceDensity;

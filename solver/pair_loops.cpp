@@ -29,12 +29,13 @@ TileFunction<Dim, T> tileFunction(const PassChoice& choice) {
   using Real = Pack<T, std::min<int>(Isa::bytes / sizeof(T), clusterSize), Isa>;
   TileFunction<Dim, T> function = nullptr;
   int k = 0;
-  forEachTermList([&]<class... Terms>(TermList<Terms...> list) {
-    if (k++ != choice.termList) return;
-    withLoopProfile<Dim, list.usesKernel>(choice.kernel, [&]<class Profile>(Profile) {
-      function = &sumChosen<Real, Dim, Profile, Terms...>;
-    });
-  });
+  forEachTermList(
+      [&]<class... Terms, bool isTuned>(TermList<Terms...> list, std::bool_constant<isTuned>) {
+        if (k++ != choice.termList) return;
+        withLoopProfile<Dim, list.usesKernel, isTuned>(choice.kernel, [&]<class Profile>(Profile) {
+          function = &sumChosen<Real, Dim, Profile, Terms...>;
+        });
+      });
   return function;
 }
 

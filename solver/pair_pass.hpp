@@ -4,7 +4,9 @@
 #include "engine/pair_pass.hpp"
 #include "engine/units.hpp"
 #include "particles/case_settings.hpp"
+#include "solver/phases.hpp"
 
+#include <array>
 #include <string>
 
 namespace plenum {
@@ -12,16 +14,30 @@ namespace plenum {
 /// The passes of a step, as the case asks for them; empty where the scene does not model it.
 template <int Dim>
 struct StepPasses {
-  PairPass<Dim> density;     ///< writes density or velocityDivergence
-  PairPass<Dim> forces;      ///< writes force
-  PairPass<Dim> collisions;  ///< writes impulse
+  PairPass<Dim> densityGradient;  ///< writes densityGradient and moments, for `density`
+  PairPass<Dim> density;          ///< writes density or velocityDivergence
+  PairPass<Dim> atWalls;          ///< writes what is before the walls
+  PairPass<Dim> forces;           ///< writes force
+  PairPass<Dim> collisions;       ///< writes impulse
+  PairPass<Dim> concentration;    ///< writes kernelGradient and positionDivergence
+
+  std::array<const PairPass<Dim>*, 6> all() const {
+    return {&densityGradient, &density, &atWalls, &forces, &collisions, &concentration};
+  }
 };
 
-/// `spacing` is d_ref [m], `units` are those of the engine. Kernels in the scenes' list get a loop
-/// of their own; the others share one loop that chooses the kernel at run time.
+/// What passes depend on beside the settings.
+struct PassOptions {
+  double spacing = 0;  ///< d_ref [m]
+  bool hasWalls = false;
+  bool measuresLoads = false;  ///< forces and impulses on walls are summed, too
+};
+
+/// `units` are those of the engine. Kernels in the scenes' list get a loop of their own; the others
+/// share one loop that chooses the kernel at run time.
 template <int Dim>
-StepPasses<Dim> selectPasses(const SolverSettings& settings, double spacing, bool hasWalls,
-                             const Units& units);
+StepPasses<Dim> selectPasses(const SolverSettings& settings, const Phases& phases,
+                             const PassOptions& options, const Units& units);
 
 /// Momentum form with "matching" resolved.
 std::string momentumForm(const SolverSettings& settings);

@@ -13,9 +13,17 @@ namespace plenum {
 /// Every term with its parameters; those that a pass does not have are unused.
 struct AllTerms : term::DensitySum,
                   term::Continuity,
+                  term::DensityGradient,
+                  term::DensityDiffusion,
                   term::PressureDensitySquared,
                   term::PressureDensityProduct,
                   term::MonaghanViscosity,
+                  term::MonaghanViscosityOfPhases,
+                  term::LaminarViscosity,
+                  term::LaminarViscosityOfPhases,
+                  term::FluidAtWall,
+                  term::VelocityAtWall,
+                  term::Concentration,
                   term::Collision {};
 
 template <class... Terms>
@@ -25,41 +33,57 @@ struct TermList {
   static constexpr bool usesKernel = (Terms::usesKernel || ...);
 };
 
-/// The lists of terms that have a loop of their own.
+/// The lists of terms that have a loop of their own. visit(list, isTuned): the first ones, where
+/// most scenes spend most of their time, have one for each kernel that scenes name.
 template <class Visit>
 constexpr void forEachTermList(Visit&& visit) {
   using namespace term;
-  visit(TermList<DensitySum>{});
-  visit(TermList<Continuity>{});
-  visit(TermList<PressureDensitySquared>{});
-  visit(TermList<PressureDensitySquared, MonaghanViscosity>{});
-  visit(TermList<PressureDensityProduct>{});
-  visit(TermList<PressureDensityProduct, MonaghanViscosity>{});
-  visit(TermList<Collision>{});
+  constexpr std::true_type tuned;
+  constexpr std::false_type generic;
+  visit(TermList<DensitySum>{}, tuned);
+  visit(TermList<Continuity>{}, tuned);
+  visit(TermList<PressureDensitySquared, MonaghanViscosity>{}, tuned);
+  visit(TermList<PressureDensityProduct, MonaghanViscosity>{}, tuned);
+  const auto visitForces = [&]<class Pressure>(Pressure) {
+    visit(TermList<Pressure>{}, generic);
+    visit(TermList<Pressure, MonaghanViscosityOfPhases>{}, generic);
+    visit(TermList<Pressure, LaminarViscosity>{}, generic);
+    visit(TermList<Pressure, MonaghanViscosityOfPhases, LaminarViscosityOfPhases>{}, generic);
+  };
+  visitForces(PressureDensitySquared{});
+  visitForces(PressureDensityProduct{});
+  visit(TermList<DensityGradient>{}, generic);
+  visit(TermList<Continuity, DensityDiffusion>{}, generic);
+  visit(TermList<FluidAtWall>{}, generic);
+  visit(TermList<FluidAtWall, VelocityAtWall>{}, generic);
+  visit(TermList<Concentration>{}, generic);
+  visit(TermList<Collision>{}, generic);
 }
 
 /// Place of a list in `forEachTermList`.
 template <class List>
 constexpr int indexOf() {
   int index = -1, k = 0;
-  forEachTermList([&](auto list) {
+  forEachTermList([&](auto list, auto) {
     if (std::is_same_v<decltype(list), List>) index = k;
     ++k;
   });
   return index;
 }
 
-/// Calls `visit` with the profile that the loops for a kernel have: the kernels that scenes name
-/// have loops of their own in 2-D and 3-D, the others share those of kernel::Any.
-template <int Dim, bool usesKernel, class Visit>
+/// Calls `visit` with the profile that the loops for a kernel have: in 2-D and 3-D tuned ones for
+/// the kernels that scenes name, or for the default kernel only; the others share those of
+/// kernel::Any, which take about twice the time.
+template <int Dim, bool usesKernel, bool isTuned, class Visit>
 constexpr void withLoopProfile(int id, Visit&& visit) {
   if constexpr (!usesKernel)
     visit(NoKernel{});
   else if constexpr (Dim == 1)
     visit(kernel::Any{});
+  else if constexpr (isTuned)
+    withProfileAmong<kernel::WendlandC2, kernel::WendlandC2OneD, kernel::Convex>(id, visit);
   else
-    withProfileAmong<kernel::CubicSpline, kernel::WendlandC2, kernel::WendlandC2OneD,
-                     kernel::WendlandQuadratic, kernel::Convex>(id, visit);
+    withProfileAmong<kernel::WendlandC2>(id, visit);
 }
 
 /// What a loop was chosen for.

@@ -27,62 +27,142 @@ PairPass<Dim> makePass(PassChoice choice, TermList<Terms...> list, const Units& 
   return pass;
 }
 
+/// Makes the passes of one scene.
 template <int Dim>
-PairPass<Dim> forcePass(const PassChoice& choice, const SolverSettings& settings,
-                        const Units& units) {
-  using namespace term;
-  const bool viscous = settings.viscosity && settings.viscosity->monaghan;
-  const auto make = [&](auto list) {
-    return makePass<Dim>(choice, list, units, Group::fluids, Group::all);
-  };
-  if (momentumForm(settings) == "density_squared")
-    return viscous ? make(TermList<PressureDensitySquared, MonaghanViscosity>{})
-                   : make(TermList<PressureDensitySquared>{});
-  return viscous ? make(TermList<PressureDensityProduct, MonaghanViscosity>{})
-                 : make(TermList<PressureDensityProduct>{});
-}
+class PassMaker {
+ public:
+  PassMaker(const SolverSettings& settings, const Phases& phases, const PassOptions& options,
+            const Units& units)
+      : settings_(settings), phases_(phases), options_(options), units_(units) {
+    choice_.kernel = KernelId::named(settings.kernel).index();
+    choice_.smoothingLength = settings.smoothingLength * options.spacing;
+    setTerms();
+  }
+
+  PairPass<Dim> density() const {
+    const Group receivers =
+        options_.hasWalls && settings_.wallsEvolve() ? Group::all : Group::fluids;
+    if (settings_.sumsDensity()) return make(TermList<term::DensitySum>{}, receivers);
+    if (!settings_.densityDiffusion) return make(TermList<term::Continuity>{}, receivers);
+    return make(TermList<term::Continuity, term::DensityDiffusion>{}, receivers);
+  }
+
+  PairPass<Dim> densityGradient() const {
+    return make(TermList<term::DensityGradient>{}, options_.hasWalls ? Group::all : Group::fluids);
+  }
+
+  PairPass<Dim> forces() const {
+    return momentumForm(settings_) == "density_squared"
+               ? forces(TermList<term::PressureDensitySquared>{})
+               : forces(TermList<term::PressureDensityProduct>{});
+  }
+
+  PairPass<Dim> atWalls() const {
+    using namespace term;
+    return settings_.laminar()
+               ? make(TermList<FluidAtWall, VelocityAtWall>{}, Group::walls, Group::fluids)
+               : make(TermList<FluidAtWall>{}, Group::walls, Group::fluids);
+  }
+
+  PairPass<Dim> collisions() const {
+    const std::string& pairs = settings_.collisions->pairs;
+    return loaded(make(TermList<term::Collision>{}, Group::fluids,
+                       pairs == "fluid"  ? Group::fluids
+                       : pairs == "wall" ? Group::walls
+                                         : Group::all));
+  }
+
+  PairPass<Dim> concentration() const {
+    return make(TermList<term::Concentration>{}, Group::fluids);
+  }
+
+ private:
+  void setTerms() {
+    const double c = phases_.largestSoundSpeed();
+    if (const MonaghanSettings* monaghan = settings_.monaghan()) {
+      set<term::MonaghanViscosity>({monaghan->alpha, monaghan->beta, c});
+      set<term::MonaghanViscosityOfPhases>({monaghan->alpha, monaghan->beta});
+    }
+    if (settings_.laminar()) set<term::LaminarViscosity>({phases_[0].dynamicViscosity, Dim});
+    if (settings_.densityDiffusion)
+      set<term::DensityDiffusion>({settings_.densityDiffusion->delta, c});
+    if (settings_.collisions)
+      set<term::Collision>(
+          {settings_.collisions->restitution, settings_.collisions->range * options_.spacing});
+    set<term::Concentration>({kernelAt(options_.spacing), Dim});
+  }
+
+  template <class Term>
+  void set(const Term& term) {
+    static_cast<Term&>(choice_.terms) = term;
+  }
+
+  double kernelAt(double distance) const {
+    double value = 0;
+    kernel::withProfile(KernelId(choice_.kernel), [&](auto profile) {
+      value = Kernel<Dim, decltype(profile)>::W(distance, choice_.smoothingLength);
+    });
+    return value;
+  }
+
+  template <class Pressure>
+  PairPass<Dim> forces(TermList<Pressure>) const {
+    using namespace term;
+    const bool artificial = settings_.monaghan() != nullptr, laminar = settings_.laminar();
+    const auto pass = [&](auto list) { return loaded(make(list, Group::fluids)); };
+    if (laminar && (artificial || phases_.differInViscosity()))
+      return pass(TermList<Pressure, MonaghanViscosityOfPhases, LaminarViscosityOfPhases>{});
+    if (laminar) return pass(TermList<Pressure, LaminarViscosity>{});
+    if (artificial && phases_.differInSoundSpeed())
+      return pass(TermList<Pressure, MonaghanViscosityOfPhases>{});
+    if (artificial) return pass(TermList<Pressure, MonaghanViscosity>{});
+    return pass(TermList<Pressure>{});
+  }
+
+  PairPass<Dim> loaded(PairPass<Dim> pass) const {
+    pass.reactions = options_.measuresLoads;
+    return pass;
+  }
+
+  template <class... Terms>
+  PairPass<Dim> make(TermList<Terms...> list, Group receivers, Group sources = Group::all) const {
+    return makePass<Dim>(choice_, list, units_, receivers, sources);
+  }
+
+  const SolverSettings& settings_;
+  const Phases& phases_;
+  PassOptions options_;
+  Units units_;
+  PassChoice choice_;
+};
 
 }  // namespace
 
 std::string momentumForm(const SolverSettings& settings) {
   if (settings.momentum != "matching") return settings.momentum;
-  return settings.density == "summation" ? "density_squared" : "density_product";
+  return settings.sumsDensity() ? "density_squared" : "density_product";
 }
 
 template <int Dim>
-StepPasses<Dim> selectPasses(const SolverSettings& settings, double spacing, bool hasWalls,
-                             const Units& units) {
-  PassChoice choice;
-  choice.kernel = KernelId::named(settings.kernel).index();
-  choice.smoothingLength = settings.smoothingLength * spacing;
-  if (settings.viscosity && settings.viscosity->monaghan) {
-    const MonaghanSettings& monaghan = *settings.viscosity->monaghan;
-    static_cast<term::MonaghanViscosity&>(choice.terms) = {monaghan.alpha, monaghan.beta,
-                                                           settings.soundSpeed};
-  }
-  if (settings.collisions)
-    static_cast<term::Collision&>(choice.terms) = {settings.collisions->restitution,
-                                                   settings.collisions->range * spacing};
+StepPasses<Dim> selectPasses(const SolverSettings& settings, const Phases& phases,
+                             const PassOptions& options, const Units& units) {
+  const PassMaker<Dim> make(settings, phases, options, units);
   StepPasses<Dim> passes;
-  const Group receivers = hasWalls && settings.wallsEvolve() ? Group::all : Group::fluids;
-  passes.density =
-      settings.density == "summation"
-          ? makePass<Dim>(choice, TermList<term::DensitySum>{}, units, receivers, Group::all)
-          : makePass<Dim>(choice, TermList<term::Continuity>{}, units, receivers, Group::all);
-  passes.forces = forcePass<Dim>(choice, settings, units);
-  if (settings.collisions) {
-    const std::string& pairs = settings.collisions->pairs;
-    const Group sources = pairs == "fluid"  ? Group::fluids
-                          : pairs == "wall" ? Group::walls
-                                            : Group::all;
-    passes.collisions =
-        makePass<Dim>(choice, TermList<term::Collision>{}, units, Group::fluids, sources);
-  }
+  if (settings.densityDiffusion) passes.densityGradient = make.densityGradient();
+  passes.density = make.density();
+  if (options.hasWalls && (settings.wallsExtrapolate() || settings.laminar()))
+    passes.atWalls = make.atWalls();
+  passes.forces = make.forces();
+  if (settings.collisions) passes.collisions = make.collisions();
+  if (settings.shifting) passes.concentration = make.concentration();
   return passes;
 }
 
-template StepPasses<1> selectPasses<1>(const SolverSettings&, double, bool, const Units&);
-template StepPasses<2> selectPasses<2>(const SolverSettings&, double, bool, const Units&);
-template StepPasses<3> selectPasses<3>(const SolverSettings&, double, bool, const Units&);
+template StepPasses<1> selectPasses<1>(const SolverSettings&, const Phases&, const PassOptions&,
+                                       const Units&);
+template StepPasses<2> selectPasses<2>(const SolverSettings&, const Phases&, const PassOptions&,
+                                       const Units&);
+template StepPasses<3> selectPasses<3>(const SolverSettings&, const Phases&, const PassOptions&,
+                                       const Units&);
 
 }  // namespace plenum

@@ -4,7 +4,10 @@
 #include "engine/derived_fields.hpp"
 #include "particles/errors.hpp"
 #include "particles/parallel.hpp"
+#include "solver/advance.hpp"
+#include "solver/density_gradient.hpp"
 #include "solver/preflight.hpp"
+#include "solver/shifting.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,26 +18,6 @@
 namespace plenum {
 
 namespace {
-
-std::vector<Tait> fluidStates(const std::vector<Material>& materials, const SolverSettings& s) {
-  std::vector<Tait> rows;
-  for (const Material& m : materials)
-    rows.push_back({m.density, s.soundSpeed, s.backgroundPressure, s.taitExponent});
-  return rows;
-}
-
-std::vector<Tait> wallStates(const std::vector<Wall>& walls, const SolverSettings& s) {
-  std::vector<Tait> rows;
-  for (const Wall& w : walls)
-    rows.push_back({w.density, s.soundSpeed, s.backgroundPressure, s.taitExponent});
-  return rows;
-}
-
-double squareOf(double x) { return x * x; }
-template <int Dim>
-double squareOf(const Vec<Dim>& v) {
-  return normSquared(v);
-}
 
 constexpr auto isFiniteVector = [](const auto& v) { return std::isfinite(normSquared(v)); };
 
@@ -55,44 +38,58 @@ Scene<Dim>& checked(Scene<Dim>& scene, const SolverSettings& settings) {
 }
 
 template <int Dim>
-typename Engine<Dim>::Options engineOptions(const Scene<Dim>& scene, const SolverSettings& s) {
+typename Engine<Dim>::Options engineOptions(const Scene<Dim>& scene, const SolverSettings& s,
+                                            double soundSpeed, bool measuresLoads) {
   const SceneInfo<Dim>& info = scene.info;
   typename Engine<Dim>::Options options;
   options.support = 2 * s.smoothingLength * info.spacing;
-  options.wallsReceive = !info.walls.empty() && s.wallsEvolve();
+  options.wallsReceive =
+      scene.particles.nWalls() > 0 && (s.wallsEvolve() || s.wallsExtrapolate() || s.laminar() ||
+                                       s.densityDiffusion || measuresLoads);
   options.precision = s.precision == "double" ? Precision::doubled : Precision::mixed;
   options.units =
-      Units::near(s.smoothingLength * info.spacing, scene.particles[field::mass][0], s.soundSpeed);
+      Units::near(s.smoothingLength * info.spacing, scene.particles[field::mass][0], soundSpeed);
   return options;
+}
+
+template <int Dim>
+Vec<Dim> gravityOf(const SolverSettings& settings) {
+  Vec<Dim> gravity;
+  for (std::size_t a = 0; a < settings.gravity.size(); ++a)
+    gravity[static_cast<int>(a)] = settings.gravity[a];
+  return gravity;
 }
 
 }  // namespace
 
 template <int Dim>
-Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings)
+Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings, bool measuresLoads)
     : settings_(settings),
+      measuresLoads_(measuresLoads && scene.particles.nWalls() > 0),
       scene_(std::move(checked(scene, settings))),
-      engine_(scene_.info.domain, engineOptions(scene_, settings)),
-      passes_(selectPasses<Dim>(settings, scene_.info.spacing, scene_.particles.nWalls() > 0,
-                                engine_.units())),
-      materials_(fluidStates(scene_.info.materials, settings)),
-      wallMaterials_(wallStates(scene_.info.walls, settings)),
-      wallMotion_(scene_.info.walls, scene_.particles, scene_.info.domain, scene_.info.time) {
-  for (int a = 0; a < Dim && !settings_.gravity.empty(); ++a)
-    gravity_[a] = settings_.gravity[static_cast<std::size_t>(a)];
+      phases_(scene_.info.materials, settings),
+      engine_(scene_.info.domain,
+              engineOptions(scene_, settings, phases_.largestSoundSpeed(), measuresLoads_)),
+      passes_(selectPasses<Dim>(
+          settings, phases_, {scene_.info.spacing, scene_.particles.nWalls() > 0, measuresLoads_},
+          engine_.units())),
+      states_(phases_.states()),
+      gravity_(gravityOf<Dim>(settings)),
+      wallState_(settings, phases_.statesOf(scene_.info.walls, settings), gravity_),
+      wallMotion_(scene_.info.walls, scene_.particles, scene_.info.domain, scene_.info.time),
+      wallLoads_(scene_.info.walls.size()) {
   scene_.info.kernel = settings_.kernel;
   scene_.info.smoothingLength = smoothingLength();
-
-  largestAcceleration_ = norm(gravity_);
-  fastest_ = largestNorm(scene_.particles.nFluid(), [&](std::size_t i) {
-    return std::as_const(scene_.particles)[field::velocity][i];
-  });
+  isContinued_ = !scene_.info.progress.empty();
+  const bool hasAcceleration = scene_.particles.has(field::acceleration);
   const FieldSet needed = neededFields();
   scene_.particles.add(needed);
   scene_.particles.remove(scene_.particles.fields().without(needed));
-  engine_.update(scene_.particles);
-  if (settings_.density == "summation") updateDensity(0);  // the first state shown is the run's own
-  updatePressure();
+  setConstants();
+  if (isContinued_ && (hasAcceleration || !settings_.kicksTwice()))
+    restore();
+  else
+    begin();
 }
 
 template <int Dim>
@@ -101,120 +98,220 @@ FieldSet Simulation<Dim>::neededFields() const {
                   field::density,  field::pressure, field::id};
   if (scene_.particles.nWalls() > 0) needed |= {field::wall, field::normal, field::wallDistance};
   if (scene_.info.materials.size() > 1) needed |= {field::material};
-  for (const auto* pass : {&passes_.density, &passes_.forces, &passes_.collisions})
+  if (settings_.kicksTwice()) needed |= {field::acceleration};
+  if (settings_.laminar() && scene_.particles.nWalls() > 0) needed |= {field::slipVelocity};
+  for (const PairPass<Dim>* pass : passes_.all())
     if (*pass) needed |= storedFor(pass->reads);
   return needed;
 }
 
+/// What each particle has from its material, where the passes read it.
+template <int Dim>
+void Simulation<Dim>::setConstants() {
+  ParticleSet<Dim>& particles = scene_.particles;
+  const auto set = [&](auto field, double ofWalls, auto&& valueOf) {
+    if (!particles.has(field)) return;
+    const auto values = particles[field];
+    const bool many = particles.has(field::material);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] =
+          i >= particles.nFluid()
+              ? ofWalls
+              : valueOf(
+                    phases_[many ? static_cast<std::size_t>(particles[field::material][i]) : 0]);
+  };
+  set(field::soundSpeed, phases_.largestSoundSpeed(),
+      [](const Phase& phase) { return phase.state.soundSpeed; });
+  set(field::dynamicViscosity, 0.0, [](const Phase& phase) { return phase.dynamicViscosity; });
+}
+
+/// The state before the first step.
+template <int Dim>
+void Simulation<Dim>::begin() {
+  isContinued_ = false;
+  scene_.info.progress.clear();
+  runStart_ = time();
+  largestAcceleration_ = norm(gravity_);
+  fastest_ = largestNorm(scene_.particles.nFluid(), [&](std::size_t i) {
+    return std::as_const(scene_.particles)[field::velocity][i];
+  });
+  engine_.update(scene_.particles);
+  if (settings_.sumsDensity()) updateDensity(0);  // the first state shown is the run's own
+  updatePressure();
+  if (!settings_.kicksTwice()) return;
+  sumForces();
+  storeAcceleration();
+}
+
+template <int Dim>
+void Simulation<Dim>::restore() {
+  const auto& progress = scene_.info.progress;
+  const auto value = [&](const char* name) {
+    const auto found =
+        std::ranges::find(progress, name, [](const auto& figure) { return figure.first; });
+    if (found == progress.end())
+      throw InputError(
+          fmt::format("the file says that a run paused here, but not its {}; start a "
+                      "new one with `plenum-sph run`",
+                      name));
+    return found->second;
+  };
+  nSteps_ = static_cast<long>(value("step"));
+  runStart_ = value("run_start");
+  largestAcceleration_ = value("largest_acceleration");
+  fastest_ = value("fastest");
+  wallLoads_.restore(progress);
+}
+
+template <int Dim>
+bool Simulation<Dim>::mayPause() const {
+  constexpr long stepsBetween = 64;
+  return nSteps_ % stepsBetween == 0 || engine_.isOld();
+}
+
+template <int Dim>
+void Simulation<Dim>::notePause() {
+  scene_.info.progress = {{"step", static_cast<double>(nSteps_)},
+                          {"run_start", runStart_},
+                          {"largest_acceleration", largestAcceleration_},
+                          {"fastest", fastest_}};
+  std::ranges::copy(wallLoads_.progress(), std::back_inserter(scene_.info.progress));
+}
+
+template <int Dim>
+std::vector<WallLoad> Simulation<Dim>::takeWallLoads() {
+  if (!measuresLoads_) return {};
+  std::vector<WallLoad> loads = wallLoads_.means();
+  wallLoads_.restart();
+  return loads;
+}
+
 template <int Dim>
 void Simulation<Dim>::step(double dt) {
+  requireStable(dt);
+  if (nSteps_ > 0 && mayPause()) engine_.forget();
+  if (settings_.kicksTwice())
+    stepKickDriftKick(dt);
+  else
+    stepEuler(dt);
+  wallLoads_.elapse(dt);
+  scene_.info.time += dt;
+  ++nSteps_;
+}
+
+template <int Dim>
+void Simulation<Dim>::stepEuler(double dt) {
   engine_.update(scene_.particles);
   updateDensity(dt);
   updatePressure();
-  engine_.run(passes_.forces, scene_.particles);
+  sumForces();
   kick(dt);
   collide();
+  shiftParticles(dt);
   drift(dt);
-  scene_.info.time += dt;
-  ++nSteps_;
-  engine_.moved(wallMotion_.moveTo(time(), scene_.particles));
+  moveWalls(time() + dt);
+}
+
+template <int Dim>
+void Simulation<Dim>::stepKickDriftKick(double dt) {
+  kickByAcceleration(dt / 2);
+  if (settings_.sumsDensity()) {
+    drift(dt);
+  } else {
+    drift(dt / 2);
+    moveWalls(time() + dt / 2);
+    engine_.update(scene_.particles);
+    updateDensity(dt);
+    drift(dt / 2);
+  }
+  moveWalls(time() + dt);
+  engine_.update(scene_.particles);
+  if (settings_.sumsDensity()) updateDensity(dt);
+  updatePressure();
+  sumForces();
+  storeAcceleration();
+  kickByAcceleration(dt / 2);
+  collide();
+  shiftParticles(dt);
 }
 
 template <int Dim>
 void Simulation<Dim>::updateDensity(double dt) {
+  if (passes_.densityGradient)
+    updateDensityGradient(engine_, passes_.densityGradient, scene_.particles);
   engine_.run(passes_.density, scene_.particles);
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const auto density = scene_.particles[field::density];
   const bool wallsToo = settings_.wallsEvolve();
-  if (passes_.density.writes.has(field::density))
-    engine_.withSums(field::density, [&](const auto& sums) {
-      forEachIndex(sums.nClusters(wallsToo), [&](std::size_t c) {
-        sums.forEach(c, [&](std::size_t i, double sum) { density[i] = sum; });
-      });
-    });
-  else
-    engine_.withSums(field::velocityDivergence, [&](const auto& divergences) {
-      advance(
-          density, divergences, wallsToo, "the density is no longer positive and finite",
-          [&](std::size_t, double rho, double div) { return rho * (1 - dt * div); },
-          [&](std::size_t, double rho, double div) { return rho / (1 - dt * div); },
-          [](double rho) { return rho > 0 && std::isfinite(rho); });
-    });
+  if (settings_.sumsDensity()) {
+    engine_.forEachSum(
+        wallsToo ? Group::all : Group::fluids, [&](std::size_t i, double sum) { density[i] = sum; },
+        field::density);
+    return;
+  }
+  engine_.withSums(field::velocityDivergence, [&](const auto& divergences) {
+    const auto [change, bad] = advance(
+        density, divergences, wallsToo,
+        [&](std::size_t, double rho, double div) { return rho * (1 - dt * div); },
+        [&](std::size_t, double rho, double div) { return rho / (1 - dt * div); },
+        [](double rho) { return rho > 0 && std::isfinite(rho); });
+    if (bad) fail("the density is no longer positive and finite", *bad);
+  });
 }
 
 template <int Dim>
 void Simulation<Dim>::updatePressure() {
-  const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  const std::size_t nFluid = scene_.particles.nFluid();
-  const auto density = std::as_const(scene_.particles)[field::density];
-  const auto pressure = scene_.particles[field::pressure];
-  std::span<const std::int32_t> materialOf, wallOf;
-  if (scene_.particles.has(field::material)) materialOf = scene_.particles[field::material];
-  materials_.pressures(density.first(nFluid), materialOf, pressure.first(nFluid));
-  if (scene_.particles.nWalls() == 0) return;
-  if (settings_.wallsEvolve()) {
-    wallOf = scene_.particles[field::wall];
-    wallMaterials_.pressures(density.subspan(nFluid), wallOf, pressure.subspan(nFluid));
-  } else {
-    std::ranges::fill(pressure.subspan(nFluid), 0.0);
+  ParticleSet<Dim>& particles = scene_.particles;
+  {
+    const auto integrating = engine_.stopwatch().lap(Part::integrate);
+    const std::size_t nFluid = particles.nFluid();
+    std::span<const std::int32_t> materialOf;
+    if (particles.has(field::material)) materialOf = particles[field::material];
+    states_.pressures(std::as_const(particles)[field::density].first(nFluid), materialOf,
+                      particles[field::pressure].first(nFluid));
   }
+  wallState_.update(engine_, passes_.atWalls, particles, [&](std::size_t i) {
+    const std::int32_t wall = particles[field::wall][i - particles.nFluid()];
+    return wallMotion_.acceleration(wall, particles[field::position][i], time());
+  });
 }
 
-/// values[i] = next(i, values[i], sum of i) for all fluids, or for walls too. If some result is not
-/// sound, takes all back by `previous` (to rounding) and throws RunError that names the first one.
-/// Returns the largest |change|.
+/// Sums the forces of this moment. Walls that fluid sticks to show it the velocity behind their
+/// surface.
 template <int Dim>
-template <class Value, class Sums, class Next, class Previous, class IsSound>
-double Simulation<Dim>::advance(std::span<Value> values, const Sums& sums, bool wallsToo,
-                                const char* what, Next&& next, Previous&& previous,
-                                IsSound&& isSound) {
-  const std::size_t nClusters = sums.nClusters(wallsToo), none = values.size();
-  std::size_t bad = none;
-  double largest = 0;
-#pragma omp parallel for schedule(static) reduction(min    \
-                                                    : bad) \
-    reduction(max                                          \
-              : largest) if (none >= worthThreads)
-  for (std::size_t c = 0; c < nClusters; ++c)
-    sums.forEach(c, [&](std::size_t i, const auto& sum) {
-      const Value value = next(i, values[i], sum);
-      if (isSound(value)) {
-        largest = std::max(largest, squareOf(value - values[i]));
-        values[i] = value;
-      } else {
-        bad = std::min(bad, i);
-      }
-    });
-  if (bad == none) return std::sqrt(largest);
-  for (std::size_t c = 0; c < nClusters; ++c)
-    sums.forEach(c, [&](std::size_t i, const auto& sum) {
-      const Value value = previous(i, values[i], sum);
-      if (isSound(value)) values[i] = value;  // else it was not changed
-    });
-  fail(what, bad);
+void Simulation<Dim>::sumForces() {
+  ParticleSet<Dim>& particles = scene_.particles;
+  const auto swapSlip = [&] {
+    if (particles.has(field::slipVelocity))
+      std::ranges::swap_ranges(particles[field::velocity].subspan(particles.nFluid()),
+                               particles[field::slipVelocity]);
+  };
+  swapSlip();
+  engine_.run(passes_.forces, particles);
+  swapSlip();
+  if (measuresLoads_) wallLoads_.setForces(engine_, particles, wallMotion_.centers(time()));
 }
 
 template <int Dim>
-void Simulation<Dim>::fail(const char* what, std::size_t i) const {
+void Simulation<Dim>::fail(const std::string& what, std::size_t i) const {
   const ParticleSet<Dim>& particles = scene_.particles;
   throw RunError(fmt::format(
-      "particle {} at ({:.4g}): {} at t = {:.6g} s, step {}: likely a time step that is too large "
-      "or particles that overlap; try --set solver.time_step={:.2g}",
+      "particle {} at ({:.4g}): {} at t = {:.6g} s, step {}: likely a time step that is too large, "
+      "particles that overlap or a wall that is missing; try --set solver.time_step={:.2g}",
       particles[field::id][i], fmt::join(particles[field::position][i].components, ", "), what,
-      time(), nSteps_, 0.05 * smoothingLength() / settings_.soundSpeed));
+      time(), nSteps_, 0.05 * smoothingLength() / phases_.largestSoundSpeed()));
 }
 
 template <int Dim>
 void Simulation<Dim>::kick(double dt) {
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  const auto velocity = scene_.particles[field::velocity];
   const auto mass = std::as_const(scene_.particles)[field::mass];
   engine_.withSums(field::force, [&](const auto& forces) {
     const auto acceleration = [&](std::size_t i, const Vec<Dim>& force) {
       return (1 / mass[i]) * force + gravity_;
     };
-    const double largestChange = advance(
-        velocity, forces, false, "the force is not finite",
+    const auto [change, bad] = advance(
+        scene_.particles[field::velocity], forces, false,
         [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& force) {
           return v + dt * acceleration(i, force);
         },
@@ -222,8 +319,35 @@ void Simulation<Dim>::kick(double dt) {
           return v - dt * acceleration(i, force);
         },
         isFiniteVector);
-    largestAcceleration_ = largestChange / dt;
+    if (bad) fail("the force is not finite", *bad);
+    largestAcceleration_ = change / dt;
   });
+  wallLoads_.act(dt);
+}
+
+template <int Dim>
+void Simulation<Dim>::storeAcceleration() {
+  const auto integrating = engine_.stopwatch().lap(Part::integrate);
+  const auto mass = std::as_const(scene_.particles)[field::mass];
+  engine_.withSums(field::force, [&](const auto& forces) {
+    const auto stored = scene_.particles[field::acceleration];
+    const auto [change, bad] = advance(
+        stored, forces, false,
+        [&](std::size_t i, const Vec<Dim>&, const Vec<Dim>& force) {
+          return (1 / mass[i]) * force + gravity_;
+        },
+        [&](std::size_t i, const Vec<Dim>&, const Vec<Dim>&) { return stored[i]; }, isFiniteVector);
+    if (bad) fail("the force is not finite", *bad);
+    largestAcceleration_ = largestNorm(stored.size(), [&](std::size_t i) { return stored[i]; });
+  });
+}
+
+template <int Dim>
+void Simulation<Dim>::kickByAcceleration(double dt) {
+  const auto integrating = engine_.stopwatch().lap(Part::integrate);
+  const auto velocity = scene_.particles[field::velocity];
+  const auto acceleration = std::as_const(scene_.particles)[field::acceleration];
+  forEachIndex(acceleration.size(), [&](std::size_t i) { velocity[i] += dt * acceleration[i]; });
 }
 
 template <int Dim>
@@ -232,10 +356,11 @@ void Simulation<Dim>::collide() {
   engine_.run(passes_.collisions, scene_.particles);
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const auto mass = std::as_const(scene_.particles)[field::mass];
+  if (measuresLoads_)
+    wallLoads_.addImpulses(engine_, scene_.particles, wallMotion_.centers(time()));
   engine_.withSums(field::impulse, [&](const auto& impulses) {
-    advance(
+    const auto [change, bad] = advance(
         scene_.particles[field::velocity], impulses, false,
-        "the change of velocity by collisions is not finite",
         [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& impulse) {
           return v + (1 / mass[i]) * impulse;
         },
@@ -243,6 +368,7 @@ void Simulation<Dim>::collide() {
           return v - (1 / mass[i]) * impulse;
         },
         isFiniteVector);
+    if (bad) fail("the change of velocity by collisions is not finite", *bad);
   });
 }
 
@@ -251,33 +377,81 @@ void Simulation<Dim>::drift(double dt) {
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
   const auto position = scene_.particles[field::position];
   const auto velocity = std::as_const(scene_.particles)[field::velocity];
-  const Box<Dim>& domain = scene_.info.domain;
   const std::size_t n = scene_.particles.nFluid();
-  fastest_ = largestNorm(n, [&](std::size_t i) {
-    position[i] += dt * velocity[i];
-    return velocity[i];
-  });
-  if (domain.anyPeriodic())
-    forEachIndex(n, [&](std::size_t i) {
-      if (!domain.contains(position[i])) position[i] = domain.wrap(position[i]);
-    });
+  fastest_ = largestNorm(n, [&](std::size_t i) { return velocity[i]; });
+  requireSpeedLimit();
+  forEachIndex(n, [&](std::size_t i) { position[i] += dt * velocity[i]; });
+  wrapPositions();
   engine_.moved(dt * fastest_);
+}
+
+template <int Dim>
+void Simulation<Dim>::wrapPositions() {
+  const Box<Dim>& domain = scene_.info.domain;
+  if (!domain.anyPeriodic()) return;
+  const auto position = scene_.particles[field::position].first(scene_.particles.nFluid());
+  forEachIndex(position.size(), [&](std::size_t i) {
+    if (!domain.contains(position[i])) position[i] = domain.wrap(position[i]);
+  });
+}
+
+template <int Dim>
+void Simulation<Dim>::moveWalls(double time) {
+  engine_.moved(wallMotion_.moveTo(time, scene_.particles));
+}
+
+template <int Dim>
+void Simulation<Dim>::shiftParticles(double dt) {
+  if (!passes_.concentration) return;
+  engine_.run(passes_.concentration, scene_.particles);
+  const auto integrating = engine_.stopwatch().lap(Part::integrate);
+  engine_.moved(shift(*settings_.shifting, smoothingLength(), dt, engine_, scene_.particles));
+  wrapPositions();
 }
 
 template <int Dim>
 double Simulation<Dim>::maxTimeStep() const {
   if (settings_.timeStep) return *settings_.timeStep;
-  const double h = smoothingLength(), speed = fastest_;
-  const double bySignal = h / (settings_.soundSpeed + speed);
+  const double h = smoothingLength(), c = phases_.largestSoundSpeed();
+  const double bySignal = h / (c + fastest_);
   const double byForce = largestAcceleration_ > 0 ? std::sqrt(h / largestAcceleration_) : bySignal;
-  const double step = settings_.cfl * std::min(bySignal, byForce);
-  if (!(step > 1e-6 * h / settings_.soundSpeed)) {
-    const auto velocity = scene_.particles[field::velocity].first(scene_.particles.nFluid());
-    const auto isFastest = [&](const Vec<Dim>& v) { return norm(v) >= speed; };
+  double step = settings_.cfl * std::min(bySignal, byForce);
+  if (const double nu = phases_.largestKinematicViscosity(); nu > 0)
+    step = std::min(step, 0.125 * h * h / nu);
+  if (!(step > 1e-6 * h / c) && !(step > 1e-3 * h * h / phases_.largestKinematicViscosity()))
     fail("the fastest of all, makes the cfl time step fall below a millionth of h/c",
-         static_cast<std::size_t>(std::ranges::find_if(velocity, isFastest) - velocity.begin()));
-  }
+         fastestParticle());
   return step;
+}
+
+template <int Dim>
+std::size_t Simulation<Dim>::fastestParticle() const {
+  const auto velocity = scene_.particles[field::velocity].first(scene_.particles.nFluid());
+  const auto isFastest = [&](const Vec<Dim>& v) { return !(norm(v) < fastest_); };
+  return static_cast<std::size_t>(std::ranges::find_if(velocity, isFastest) - velocity.begin());
+}
+
+/// A fixed step may be too long for the sound, the flow or the viscosity.
+template <int Dim>
+void Simulation<Dim>::requireStable(double dt) const {
+  if (!settings_.timeStep) return;
+  const double h = smoothingLength(), c = phases_.largestSoundSpeed();
+  const double nu = phases_.largestKinematicViscosity();
+  double limit = mostCourant * h / (c + fastest_);
+  if (nu > 0) limit = std::min(limit, h * h / nu);
+  if (dt > limit * (1 + 1e-9))
+    fail(fmt::format("the fastest of all: the time step {:g} s is longer than its limit {:g} s", dt,
+                     limit),
+         fastestParticle());
+}
+
+template <int Dim>
+void Simulation<Dim>::requireSpeedLimit() const {
+  const double limit = settings_.speedLimit * phases_.largestSoundSpeed();
+  if (fastest_ <= limit) return;
+  fail(fmt::format("its speed {:g} m/s is above solver.speed_limit = {:g} c", fastest_,
+                   settings_.speedLimit),
+       fastestParticle());
 }
 
 template <int Dim>

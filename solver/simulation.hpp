@@ -4,9 +4,11 @@
 #include "engine/engine.hpp"
 #include "particles/case_settings.hpp"
 #include "particles/scene.hpp"
-#include "solver/equation_of_state.hpp"
 #include "solver/pair_pass.hpp"
+#include "solver/phases.hpp"
+#include "solver/wall_loads.hpp"
 #include "solver/wall_motion.hpp"
+#include "solver/wall_state.hpp"
 
 namespace plenum {
 
@@ -14,14 +16,22 @@ namespace plenum {
 template <int Dim>
 class Simulation {
  public:
-  /// Throws InputError if the particle set does not fit the settings (preflight.hpp).
-  Simulation(Scene<Dim> scene, const SolverSettings& settings);
+  /// Begins a run, or goes on with one that stopped: a scene that holds its progress (as `pause`
+  /// writes it) continues with the bits of a run that was never stopped. With `measuresLoads` the
+  /// loads of the walls are added up. Throws InputError if the particle set does not fit the
+  /// settings (preflight.hpp).
+  Simulation(Scene<Dim> scene, const SolverSettings& settings, bool measuresLoads = false);
 
-  /// One step of symplectic Euler, as the sources have it: density, pressure and forces at the old
-  /// positions, then the velocities, then the positions. dt [s] <= maxTimeStep() unless the case
-  /// fixes it. Throws RunError, before anything moves, if a force or velocity is not finite or a
-  /// density not positive: positions and time are those before the step then, densities (and, if
-  /// collisions failed, velocities) may be the new ones.
+  /// One step. dt [s] <= maxTimeStep() unless the case fixes it.
+  ///
+  /// Symplectic Euler, as the sources have it: density, pressure and forces at the old positions,
+  /// then the velocities, then the positions. Kick-drift-kick: half of the kick, the positions, the
+  /// density (by continuity from the middle of the way, Adami et al. 2012,
+  /// doi 10.1016/j.jcp.2012.05.005), pressure and forces at the new positions, the other half.
+  ///
+  /// Throws RunError if a force or velocity is not finite, a density not positive, a particle
+  /// faster than the limit or the step longer than its own: the values that it found so are not
+  /// stored.
   void step(double dt);
 
   /// Steps until `target` [s] is met exactly, in steps of equal length where the step is fixed.
@@ -29,8 +39,8 @@ class Simulation {
   template <class AfterStep>
   void advanceTo(double target, AfterStep&& afterStep);
 
-  /// cfl min(h/(c + |v|), sqrt(h/|a|)) over all fluid particles, or the fixed step of the case [s].
-  /// Throws RunError if it has become senselessly small.
+  /// cfl min(h/(c + |v|), sqrt(h/|a|)) over all fluid particles, at most h^2/(8 nu) (Morris et al.
+  /// 1997), or the fixed step of the case [s]. Throws RunError if it has become senselessly small.
   double maxTimeStep() const;
 
   double time() const { return scene_.info.time; }
@@ -40,13 +50,30 @@ class Simulation {
   const Engine<Dim>& engine() const { return engine_; }
   Engine<Dim>& engine() { return engine_; }
   const SolverSettings& settings() const { return settings_; }
-  const MaterialTable& materials() const { return materials_; }
+  const MaterialTable& materials() const { return states_; }
+  const Phases& phases() const { return phases_; }
   Vec<Dim> gravity() const { return gravity_; }
   double smoothingLength() const { return settings_.smoothingLength * scene_.info.spacing; }
 
-  /// The scene as it is now, for files. Positions and velocities are those at time(); density and
-  /// pressure those that moved them there, of the positions one step before.
+  /// The scene as it is now, for files. Positions and velocities are those at time(); with
+  /// symplectic Euler, density and pressure those that moved them there, of the positions one step
+  /// before.
   const Scene<Dim>& scene() const { return scene_; }
+
+  /// Whether a run may stop here: the next step will sort and search anew, as a run that goes on
+  /// from a file must. So it is every 64 steps at the latest.
+  bool mayPause() const;
+  /// Lets the next step search anew, so that the run may stop here.
+  void preparePause() { engine_.forget(); }
+  /// Notes in the scene what a run needs to go on. To be called where it may pause.
+  void notePause();
+  /// The time at which the run began that this one goes on with, or now [s].
+  double runStart() const { return runStart_; }
+  bool isContinued() const { return isContinued_; }
+
+  /// Mean loads of the walls since the last call; nothing if they are not measured.
+  std::vector<WallLoad> takeWallLoads();
+  bool measuresLoads() const { return measuresLoads_; }
 
   double bytesPerParticle() const;
 
@@ -57,30 +84,50 @@ class Simulation {
     scene_.info.quality = std::move(quality);
   }
 
+  /// A fixed step longer than so many h/(c + |v|) is refused. Measured: a tank with alpha = 1 is
+  /// stable up to 1.6 h/c.
+  static constexpr double mostCourant = 2;
+
  private:
   FieldSet neededFields() const;
+  void setConstants();
+  void begin();
+  void restore();
+
+  void stepEuler(double dt);
+  void stepKickDriftKick(double dt);
   void updateDensity(double dt);
   void updatePressure();
+  void sumForces();
   void kick(double dt);
+  void storeAcceleration();
+  void kickByAcceleration(double dt);
   void collide();
   void drift(double dt);
-
-  template <class Value, class Sums, class Next, class Previous, class IsSound>
-  double advance(std::span<Value> values, const Sums& sums, bool wallsToo, const char* what,
-                 Next&& next, Previous&& previous, IsSound&& isSound);
-  [[noreturn]] void fail(const char* what, std::size_t particle) const;
+  void moveWalls(double time);
+  void shiftParticles(double dt);
+  void wrapPositions();
+  std::size_t fastestParticle() const;
+  void requireStable(double dt) const;
+  void requireSpeedLimit() const;
+  [[noreturn]] void fail(const std::string& what, std::size_t particle) const;
 
   SolverSettings settings_;
+  bool measuresLoads_;
   Scene<Dim> scene_;
+  Phases phases_;
   Engine<Dim> engine_;
   StepPasses<Dim> passes_;
-  MaterialTable materials_;  // of the fluids
-  MaterialTable wallMaterials_;
-  WallMotion<Dim> wallMotion_;
+  MaterialTable states_;  // of the fluids
   Vec<Dim> gravity_{};
+  WallState<Dim> wallState_;
+  WallMotion<Dim> wallMotion_;
+  WallLoads<Dim> wallLoads_;
   double largestAcceleration_ = 0;  // of a fluid particle in the last step [m/s^2]
   double fastest_ = 0;              // its speed [m/s]
   long nSteps_ = 0;
+  double runStart_ = 0;  // [s]
+  bool isContinued_ = false;
 };
 
 template <int Dim>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/conserved.hpp"
 #include "engine/measures.hpp"
+#include "solver/conserved.hpp"
 
 #include <string>
 #include <vector>

@@ -109,6 +109,21 @@ double WallMotion<Dim>::moveTo(double time, ParticleSet<Dim>& particles) {
   return std::sqrt(longest);
 }
 
+template <int Dim>
+Vec<Dim> WallMotion<Dim>::acceleration(std::int32_t wall, const Vec<Dim>& x, double time) const {
+  const RigidMotion& motion = walls_[static_cast<std::size_t>(wall)].motion;
+  if (motion.isStill()) return {};
+  const Three& w = motion.angularVelocity;
+  return fromThree<Dim>(cross(w, cross(w, toThree(x - fromThree<Dim>(centerAt(motion, time))))));
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> WallMotion<Dim>::centers(double time) const {
+  std::vector<Vec<Dim>> centers;
+  for (const Wall& wall : walls_) centers.push_back(fromThree<Dim>(centerAt(wall.motion, time)));
+  return centers;
+}
+
 template Vec<1> velocityAt<1>(const RigidMotion&, const Vec<1>&, const Vec<1>&);
 template Vec<2> velocityAt<2>(const RigidMotion&, const Vec<2>&, const Vec<2>&);
 template Vec<3> velocityAt<3>(const RigidMotion&, const Vec<3>&, const Vec<3>&);

@@ -39,6 +39,11 @@ class WallMotion {
   /// to those at `time` [s]. Returns the longest way that one of them went [m].
   double moveTo(double time, ParticleSet<Dim>& particles);
 
+  /// Acceleration [m/s^2] of a point x that moves with a wall.
+  Vec<Dim> acceleration(std::int32_t wall, const Vec<Dim>& x, double time) const;
+  /// Where the centres of rotation of the walls are [m].
+  std::vector<Vec<Dim>> centers(double time) const;
+
  private:
   struct Start {
     Vec<Dim> position;

@@ -69,7 +69,7 @@ void expectEqualToDoubleLoop() {
       std::cout << "  " << Dim << "-D, " << nameOf(set) << ", " << test::nameOf(precision)
                 << ": largest deviation / typical sum of |terms|, by list:";
       int termList = 0;
-      forEachTermList([&](auto list) {
+      forEachTermList([&](auto list, auto) {
         double worst = 0;
         for (const char* kernel : {"cubic_spline", "wendland_c2", "convex", "quintic_spline"}) {
           const double deviation =
@@ -96,7 +96,7 @@ TEST(PairLoops, EveryListAndKernelHasALoop) {
     withInstructionSet(set, [&](auto isa) {
       using Isa = decltype(isa);
       int termList = 0;
-      forEachTermList([&](auto list) {
+      forEachTermList([&](auto list, auto) {
         EXPECT_EQ(indexOf<decltype(list)>(), termList);
         for (const std::string& kernel : KernelId::names()) {
           const PassChoice choice = choiceOf(kernel, termList);

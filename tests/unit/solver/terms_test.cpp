@@ -21,8 +21,12 @@ constexpr double ulp = 1e-15;  // relative: a few roundings
 
 ParticleView<double, 2> particle(double mass, double density, double pressure,
                                  const Vec<2>& velocity) {
-  return {velocity, mass,           density,     pressure,
-          h,        mass / density, 1 / density, pressure / (density * density)};
+  return {velocity,    mass,
+          density,     pressure,
+          h,           mass / density,
+          1 / density, pressure / (density * density),
+          0,           0,
+          {}};
 }
 
 /// Two particles and what the loop computes for them.
@@ -121,6 +125,76 @@ TEST(Terms, MonaghanViscosityActsOnApproachingPairsOnly) {
                 1e-14 * std::abs(acceleration[a]));  // a dozen roundings
   EXPECT_LT(dot(acceleration, two.i.velocity - two.j.velocity), 0) << "viscosity must brake";
   EXPECT_EQ(normSquared(accelerationOf(viscosity, receding())), 0);
+}
+
+TEST(Terms, MonaghanViscosityOfPhasesHasTheMeanOfTheSpeedsOfSound) {
+  Two two = approaching();
+  two.i.soundSpeed = 4;
+  two.j.soundSpeed = 16;
+  const Vec<2> mean = accelerationOf(term::MonaghanViscosity{0.8, 1.5, 10}, two);
+  const Vec<2> acceleration = accelerationOf(term::MonaghanViscosityOfPhases{0.8, 1.5}, two);
+  for (int a = 0; a < 2; ++a) EXPECT_DOUBLE_EQ(acceleration[a], mean[a]);
+}
+
+TEST(Terms, LaminarViscosityIsMorris) {
+  const Two two = approaching();
+  const double mu = 0.3, rSquared = 0.05;
+  const Vec<2> acceleration = accelerationOf(term::LaminarViscosity{mu, 2}, two);
+  for (int a = 0; a < 2; ++a) {
+    // m_j (mu_i + mu_j)/(rho_i rho_j) (r.grad W)/(r^2 + .01 h^2) v_ij
+    const double expected = 3.0 * 2 * mu / (1.1 * 0.9) * (rSquared * two.F()) /
+                            (rSquared + 0.01 * h * h) * (two.i.velocity - two.j.velocity)[a];
+    EXPECT_NEAR(acceleration[a], expected, 1e-14 * std::abs(expected));  // a dozen roundings
+  }
+  EXPECT_LT(dot(acceleration, two.i.velocity - two.j.velocity), 0) << "viscosity must brake";
+}
+
+TEST(Terms, LaminarViscosityOfPhasesIsTheHarmonicMean) {
+  Two two = approaching();
+  const auto withViscosities = [&](double muI, double muJ) {
+    two.i.dynamicViscosity = muI;
+    two.j.dynamicViscosity = muJ;
+    return accelerationOf(term::LaminarViscosityOfPhases{}, two)[0];
+  };
+  const auto ofOne = [&](double mu) {
+    return accelerationOf(term::LaminarViscosity{mu, 2}, two)[0];
+  };
+  EXPECT_DOUBLE_EQ(withViscosities(0.3, 0.3), ofOne(0.3));
+  EXPECT_DOUBLE_EQ(withViscosities(0.2, 0.6), ofOne(0.3));  // 2 mu mu/(mu + mu)
+  EXPECT_DOUBLE_EQ(withViscosities(0.3, 0), ofOne(0.3)) << "a wall takes that of the fluid";
+  EXPECT_DOUBLE_EQ(withViscosities(0, 0.3), ofOne(0.3));
+}
+
+TEST(Terms, DensityDiffusionLeavesALinearDensityAlone) {
+  Two two = approaching();
+  const Vec<2> gradient{{0.7, -0.4}};
+  two.i.densityGradient = two.j.densityGradient = gradient;
+  two.j.density = two.i.density - dot(gradient, two.r);
+  const term::DensityDiffusion diffusion{0.1, 10};
+  // Densities of about 1 cancel: a few of their roundings, times delta c h V F/rho of about 100.
+  EXPECT_NEAR(sumsOf(diffusion, two).velocityDivergence, 0, 100 * ulp);
+  two.i.density += 0.1;  // denser than its neighbour: it must lose, div v > 0
+  EXPECT_GT(sumsOf(diffusion, two).velocityDivergence, 0);
+}
+
+TEST(Terms, FluidAtWallWeighsByVolume) {
+  const Two two = approaching();
+  const Sums<double, 2> sums = sumsOf(term::FluidAtWall{}, two);
+  const double weight = 3.0 / 0.9 * two.W();
+  EXPECT_DOUBLE_EQ(sums.kernelSum, weight);
+  EXPECT_DOUBLE_EQ(sums.pressure, -2.0 * weight);
+  EXPECT_DOUBLE_EQ(sums.massMoment.rest[0], 3.0 * two.W() * two.r[0]);
+  EXPECT_DOUBLE_EQ(sumsOf(term::VelocityAtWall{}, two).velocity.rest[1], 0.25 * weight);
+}
+
+TEST(Terms, ConcentrationPushesHarderFromNearNeighbours) {
+  const Two two = approaching();
+  const double atSpacing = K::W(0.25, h), ratio = two.W() / atSpacing;
+  const Sums<double, 2> sums = sumsOf(term::Concentration{atSpacing, 2}, two);
+  const Vec<2> gradient = sums.kernelGradient.total(two.F() * two.r);
+  const double expected = 3.0 / 0.9 * (1 + 0.2 * std::pow(ratio, 4)) * two.F() * two.r[0];
+  EXPECT_NEAR(gradient[0], expected, 1e-14 * std::abs(expected));  // a dozen roundings
+  EXPECT_DOUBLE_EQ(sums.positionDivergence, -3.0 / 0.9 * two.F() * normSquared(two.r));
 }
 
 /// Velocities of both particles after one collision.
@@ -265,6 +339,13 @@ TEST(Terms, PacksOfPairsGiveWhatSinglePairsGive) {
   expectLanesAreSingles(term::PressureDensitySquared{});
   expectLanesAreSingles(term::PressureDensityProduct{});
   expectLanesAreSingles(term::MonaghanViscosity{0.8, 1.5, 10});
+  expectLanesAreSingles(term::MonaghanViscosityOfPhases{0.8, 1.5});
+  expectLanesAreSingles(term::LaminarViscosity{0.3, 3});
+  expectLanesAreSingles(term::LaminarViscosityOfPhases{});
+  expectLanesAreSingles(term::DensityGradient{});
+  expectLanesAreSingles(term::FluidAtWall{});
+  expectLanesAreSingles(term::VelocityAtWall{});
+  expectLanesAreSingles(term::Concentration{1.5, 3});
   expectLanesAreSingles(term::Collision{0.5, 0.25});
 }
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/density_gradient.hpp"
+
+#include "engine/pass_of.hpp"
+#include "solver/terms.hpp"
+#include "tests/support/dimensions.hpp"
+#include "tests/support/jittered_scene.hpp"
+
+#include <gtest/gtest.h>
+
+namespace plenum {
+namespace {
+
+template <class T>
+class DensityGradientTest : public testing::Test {};
+TYPED_TEST_SUITE(DensityGradientTest, test::Dimensions);
+
+/// Also at the edges, where half of the neighbours are missing.
+TYPED_TEST(DensityGradientTest, IsExactForALinearDensityOnAnyParticles) {
+  constexpr int dim = TypeParam::value;
+  Scene<dim> scene = test::jitteredScene<dim>(dim == 3 ? 8 : 16, false);
+  scene.particles.add({field::densityGradient});
+  Vec<dim> slope;
+  for (int a = 0; a < dim; ++a) slope[a] = 0.3 - 0.2 * a;
+  for (std::size_t i = 0; i < scene.particles.size(); ++i)
+    scene.particles[field::density][i] = 1 + dot(slope, scene.particles[field::position][i]);
+
+  typename Engine<dim>::Options options;
+  const double h = 1.5 * scene.info.spacing;
+  options.support = 2 * h;
+  options.precision = Precision::doubled;
+  Engine<dim> engine(scene.info.domain, options);
+  engine.update(scene.particles);
+  const auto pass = passOf<dim>(Pass<kernel::WendlandC2, term::DensityGradient>{{}, h, {}});
+  updateDensityGradient(engine, pass, scene.particles);
+  for (const Vec<dim>& gradient : scene.particles[field::densityGradient])
+    for (int a = 0; a < dim; ++a)
+      EXPECT_NEAR(gradient[a], slope[a], 1e-12);  // sums of some dozen, divided by moments >= .1
+}
+
+TEST(CorrectedGradient, IsZeroWhereNeighboursLieInALine) {
+  EXPECT_EQ(norm(correctedGradient<2>({{1, 0}}, {{0.5, 0}}, {})), 0);
+  EXPECT_EQ(norm(correctedGradient<3>({{1, 1, 0}}, {{0.5, 0.5, 0}}, {})), 0);
+  EXPECT_EQ(norm(correctedGradient<2>({{NAN, 0}}, {{NAN, 1}}, {})), 0);
+}
+
+TEST(CorrectedGradient, UsesTheMixedMoments) {
+  const Vec<2> two = correctedGradient<2>({{2, 1}}, {{2, 1}}, {{0.5, 0}});
+  EXPECT_DOUBLE_EQ(2 * two[0] + 0.5 * two[1], 2);
+  EXPECT_DOUBLE_EQ(0.5 * two[0] + two[1], 1);
+  const Vec<3> x = correctedGradient<3>({{1, 2, 3}}, {{2, 3, 4}}, {{0.1, 0.2, 0.3}});  // yz, zx, xy
+  EXPECT_NEAR(2 * x[0] + 0.3 * x[1] + 0.2 * x[2], 1, 1e-14);  // some roundings of numbers near 1
+  EXPECT_NEAR(0.3 * x[0] + 3 * x[1] + 0.1 * x[2], 2, 1e-14);
+  EXPECT_NEAR(0.2 * x[0] + 0.1 * x[1] + 4 * x[2], 3, 1e-14);
+}
+
+}  // namespace
+}  // namespace plenum
