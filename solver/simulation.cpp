@@ -77,7 +77,7 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings)
                                 engine_.units())),
       materials_(fluidStates(scene_.info.materials, settings)),
       wallMaterials_(wallStates(scene_.info.walls, settings)),
-      wallMotion_(scene_.info.walls, scene_.particles, scene_.info.domain, scene_.info.time) {
+      wallMotion_(scene_) {
   for (int a = 0; a < Dim && !settings_.gravity.empty(); ++a)
     gravity_[a] = settings_.gravity[static_cast<std::size_t>(a)];
   scene_.info.kernel = settings_.kernel;
@@ -100,6 +100,7 @@ FieldSet Simulation<Dim>::neededFields() const {
   FieldSet needed{field::position, field::velocity, field::mass,
                   field::density,  field::pressure, field::id};
   if (scene_.particles.nWalls() > 0) needed |= {field::wall, field::normal, field::wallDistance};
+  if (wallMotion_.anyMoves()) needed |= {field::referencePosition, field::referenceNormal};
   if (scene_.info.materials.size() > 1) needed |= {field::material};
   for (const auto* pass : {&passes_.density, &passes_.forces, &passes_.collisions})
     if (*pass) needed |= storedFor(pass->reads);
