@@ -28,16 +28,16 @@ WallMotion<Dim>::WallMotion(Scene<Dim>& scene)
 }
 
 template <int Dim>
-void WallMotion<Dim>::setPoses(double time, std::vector<Pose>& poses) const {
-  poses.clear();
+void WallMotion<Dim>::setPoses(double time) {
+  poses_.clear();  // keeps its memory: a step allocates nothing
   for (const Wall& wall : walls_)
-    poses.push_back({{wall.motion, startTime_, time}, {wall.motion, time}});
+    poses_.push_back({{wall.motion, startTime_, time}, {wall.motion, time}});
 }
 
 template <int Dim>
 double WallMotion<Dim>::moveTo(double time, ParticleSet<Dim>& particles) {
   if (!anyMoves_) return 0;
-  setPoses(time, poses_);
+  setPoses(time);
   const std::size_t nFluid = particles.nFluid(), n = particles.nWalls();
   const auto positions = particles[field::position].subspan(nFluid);
   const auto velocities = particles[field::velocity].subspan(nFluid);
@@ -67,17 +67,16 @@ Vec<Dim> WallMotion<Dim>::acceleration(std::size_t wall, const Vec<Dim>& point, 
 
 template <int Dim>
 void WallMotion<Dim>::accelerations(double time, const ParticleSet<Dim>& particles,
-                                    std::span<Vec<Dim>> result) const {
+                                    std::span<Vec<Dim>> result) {
   std::ranges::fill(result, Vec<Dim>{});
   if (!anyMoves_) return;
-  std::vector<Pose> poses;
-  setPoses(time, poses);
+  setPoses(time);
   const auto wallOf = particles[field::wall];
   const auto startPositions = particles[field::referencePosition];
   forEachIndex(result.size(), [&](std::size_t k) {
     const auto w = static_cast<std::size_t>(wallOf[k]);
     if (walls_[w].motion.isStill()) return;
-    const Pose& pose = poses[w];
+    const Pose& pose = poses_[w];
     result[k] = pose.state.accelerationAt(pose.displacement.moved(startPositions[k]));
   });
 }

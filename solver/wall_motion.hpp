@@ -29,8 +29,7 @@ class WallMotion {
   Vec<Dim> acceleration(std::size_t wall, const Vec<Dim>& point, double time) const;
 
   /// The accelerations of all wall particles at `time` [s]; length nWalls().
-  void accelerations(double time, const ParticleSet<Dim>& particles,
-                     std::span<Vec<Dim>> result) const;
+  void accelerations(double time, const ParticleSet<Dim>& particles, std::span<Vec<Dim>> result);
 
  private:
   /// Where a wall is at one time.
@@ -38,7 +37,7 @@ class WallMotion {
     Displacement displacement;
     MotionState state;
   };
-  void setPoses(double time, std::vector<Pose>& poses) const;
+  void setPoses(double time);
 
   std::vector<Wall> walls_;
   Box<Dim> domain_;
