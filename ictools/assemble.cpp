@@ -93,7 +93,7 @@ template <int Dim>
 void addWall(const WallFill<Dim>& wall, int row, std::size_t first, const SceneFrame<Dim>& frame,
              const SolverSettings& solver, ParticleSet<Dim>& particles) {
   const WallSettings& settings = wall.settings;
-  const RigidMotion motion = rigidMotion<Dim>(settings);
+  const MotionState motion(wall.motion, 0);
   const InitialState state(solver, wall.density, settings.pressure, settings.hydrostatic,
                            settings.node);
   const bool isPassive =
@@ -103,7 +103,7 @@ void addWall(const WallFill<Dim>& wall, int row, std::size_t first, const SceneF
     const std::size_t i = particles.nFluid() + first + k;
     const FluidState here = isPassive ? FluidState{0, wall.density} : state(point.position);
     particles[field::position][i] = point.position;
-    particles[field::velocity][i] = velocityOf<Dim>(motion, point.position);
+    particles[field::velocity][i] = motion.velocityAt(point.position);
     particles[field::density][i] = here.density;
     particles[field::pressure][i] = here.pressure;
     particles[field::mass][i] = here.density * point.volume;

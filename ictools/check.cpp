@@ -62,15 +62,17 @@ bool draftFluids(const CaseSettings& settings, const Regions<Dim>& regions,
 }
 
 template <int Dim>
-bool draftWalls(const CaseSettings& settings, const Regions<Dim>& regions, bool fluidsAreSound,
-                Draft<Dim>& draft, Findings& findings) {
+bool draftWalls(const CaseSettings& settings, const Regions<Dim>& regions,
+                const std::filesystem::path& folder, bool fluidsAreSound, Draft<Dim>& draft,
+                Findings& findings) {
   std::vector<WallSettings> all;
   bool isSound = findings.attempt([&] { all = readWalls(settings); });
   for (const WallSettings& wall : all)
     isSound &= findings.attempt([&] {
       const GeometryPtr<Dim> solid = regions.find(at(wall.node, wall.regionKey()));
       if (!fluidsAreSound) return;
-      draft.walls.push_back(prepareWall(wall, solid, draft.fluids, draft.frame, findings.warner()));
+      draft.walls.push_back(
+          prepareWall(wall, solid, draft.fluids, draft.frame, folder, findings.warner()));
     });
   return isSound && fluidsAreSound;
 }
@@ -141,7 +143,7 @@ void check(const CaseNode& root, const CaseSettings& settings, const std::filesy
   const bool fluidsAreSound = draftFluids(settings, regions, folder, draft, findings);
   if (expectedFluid(draft.fluids) <= maxCounted)  // whatever is wrong elsewhere
     for (const auto& fluid : draft.fluids) checkGap(fluid, draft.frame, findings);
-  bool isSound = draftWalls(settings, regions, fluidsAreSound, draft, findings);
+  bool isSound = draftWalls(settings, regions, folder, fluidsAreSound, draft, findings);
   isSound &= findings.attempt([&] {
     for (const auto& region : containerRegions(root, settings, regions, draft.fluids, draft.frame))
       draft.container.extend(region->bounds());

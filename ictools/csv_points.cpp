@@ -2,12 +2,12 @@
 #include "ictools/csv_points.hpp"
 
 #include "geometry/text_reader.hpp"
+#include "ictools/csv_cells.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <vector>
 
@@ -16,39 +16,6 @@ namespace plenum {
 namespace {
 
 constexpr std::size_t noColumn = static_cast<std::size_t>(-1);
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view edges = " \t\r\"'";
-  const std::size_t first = text.find_first_not_of(edges);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(edges) - first + 1);
-}
-
-/// The mark that parts columns: the first of these that the line has, blanks if none.
-char separatorOf(std::string_view line) {
-  for (const char mark : {',', ';', '\t'})
-    if (line.find(mark) != std::string_view::npos) return mark;
-  return ' ';
-}
-
-std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
-  std::vector<std::string_view> cells;
-  if (separator == ' ') line = trimmed(line);
-  while (true) {
-    const std::size_t end = line.find(separator);
-    cells.push_back(trimmed(line.substr(0, end)));
-    if (end == std::string_view::npos) return cells;
-    line.remove_prefix(end + 1);
-    if (separator == ' ') line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-  }
-}
-
-/// A column's name in lower case, without its unit.
-std::string nameOf(std::string_view cell) {
-  std::string name(trimmed(cell.substr(0, cell.find('['))));
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return name;
-}
 
 struct Columns {
   std::array<std::size_t, 3> axis{noColumn, noColumn, noColumn};
@@ -60,7 +27,7 @@ Columns namedColumns(const std::vector<std::string_view>& cells, int dimension,
                      const TextReader& reader) {
   Columns columns;
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    const std::string name = nameOf(cells[k]);
+    const std::string name = columnName(cells[k]);
     for (std::size_t a = 0; a < 3; ++a)
       for (const char* before : {"", "position_", "points:", "points_"}) {
         const char mark =
@@ -76,11 +43,6 @@ Columns namedColumns(const std::vector<std::string_view>& cells, int dimension,
                       "first line, or give {2} columns of numbers alone",
                       "xyz"[a], a, dimension));
   return columns;
-}
-
-bool isNumber(std::string_view cell) {
-  return !cell.empty() && (std::isdigit(static_cast<unsigned char>(cell.front())) != 0 ||
-                           cell.front() == '-' || cell.front() == '+' || cell.front() == '.');
 }
 
 Columns columnsOf(const std::vector<std::string_view>& first, int dimension, bool hasNames,
@@ -118,7 +80,7 @@ FilePoints readCsvPoints(std::string_view text, int dimension, const std::string
     if (!columns) separator = separatorOf(line);
     const std::vector<std::string_view> cells = cellsOf(line, separator);
     if (!columns) {
-      const bool hasNames = !isNumber(cells.front());
+      const bool hasNames = !looksLikeNumber(cells.front());
       columns = columnsOf(cells, dimension, hasNames, atLine);
       if (hasNames) continue;
     }

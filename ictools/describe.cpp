@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ictools/generate.hpp"
 
+#include "ictools/wall_motions.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +40,7 @@ std::string describeWalls(const Scene<Dim>& scene) {
     const auto n = std::count(rows.begin(), rows.end(), static_cast<std::int32_t>(w));
     const Wall& wall = scene.info.walls[w];
     text += fmt::format("  wall  {:<12} {:>9} particles, {} layers ({}), {}\n", wall.name, n,
-                        wall.layers, wall.method, wall.motion.isStill() ? "still" : "moving");
+                        wall.layers, wall.method, describeMotion(wall.motion, Dim));
   }
   return text;
 }

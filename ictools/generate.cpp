@@ -46,12 +46,13 @@ std::vector<FluidFill<Dim>> prepareFluids(const CaseSettings& settings, const Re
 
 template <int Dim>
 std::vector<WallFill<Dim>> prepareWalls(const CaseSettings& settings, const Regions<Dim>& regions,
+                                        const std::filesystem::path& folder,
                                         const std::vector<FluidFill<Dim>>& fluids,
                                         const SceneFrame<Dim>& frame, const Warn& warn) {
   std::vector<WallFill<Dim>> walls;
   for (const WallSettings& wall : readWalls(settings)) {
     const GeometryPtr<Dim> geometry = regions.find(at(wall.node, wall.regionKey()));
-    walls.push_back(prepareWall(wall, geometry, fluids, frame, warn));
+    walls.push_back(prepareWall(wall, geometry, fluids, frame, folder, warn));
   }
   return walls;
 }
@@ -95,7 +96,7 @@ SceneInfo<Dim> sceneInfo(const CaseNode& root, const CaseSettings& settings,
                               fluid.settings.backgroundPressure, fluid.settings.dynamicViscosity});
   for (const auto& wall : walls)
     info.walls.push_back({wall.settings.name, wall.settings.method, wall.layers, wall.thickness,
-                          wall.density, rigidMotion<Dim>(wall.settings)});
+                          wall.density, wall.motion});
   return info;
 }
 
@@ -116,7 +117,7 @@ Generated<Dim> generate(const CaseNode& root, const CaseSettings& settings,
   const SceneFrame<Dim> frame = sceneFrame<Dim>(root, settings);
   const Regions<Dim> regions = readRegions<Dim>(settings, casePath.parent_path(), warn);
   auto fluids = prepareFluids(settings, regions, casePath.parent_path(), frame, warn);
-  auto walls = prepareWalls(settings, regions, fluids, frame, warn);
+  auto walls = prepareWalls(settings, regions, casePath.parent_path(), fluids, frame, warn);
   const auto container = containerRegions(root, settings, regions, fluids, frame);
 
   checkMemory(fluids, frame);

@@ -73,16 +73,6 @@ Section<PositionsKeys> positionsSection() {
   return section;
 }
 
-Section<RotationSettings> rotationSection() {
-  using S = RotationSettings;
-  Section<S> section("rigid rotation, counter-clockwise seen against the axis");
-  section.number("rpm", &S::rpm, "1/min", Range::any(), "turns per minute")
-      .number("omega", &S::omega, "rad/s", Range::any(), "angular velocity, instead of rpm")
-      .vector("center", &S::center, "m", "a point on the axis; absent: the origin")
-      .vector("axis", &S::axis, "", "direction, 3-D only; absent: z");
-  return section;
-}
-
 std::vector<std::string> allLattices() {
   std::vector<std::string> names;
   for (int dimension = 1; dimension <= 3; ++dimension)
@@ -182,15 +172,7 @@ void checkWall(const WallSettings& wall, int dimension) {
         "needs either region = \"the solid\" or outside = \"the region that it encloses\"");
   if (wall.pressure && wall.hydrostatic)
     at(wall.node, "pressure").fail("excludes hydrostatic; give one of them");
-  if (!wall.rotation) return;
-  const CaseNode& rotation = at(wall.node, "rotation");
-  if (dimension == 1) rotation.fail("nothing rotates in one dimension");
-  if (wall.rotation->rpm.has_value() == wall.rotation->omega.has_value())
-    rotation.fail("needs either rpm [1/min] or omega [rad/s]");
-  if (wall.rotation->axis.empty()) return;
-  if (dimension == 2) at(rotation, "axis").fail("in two dimensions the axis is z; leave it out");
-  if (wall.rotation->axis == std::vector<double>{0, 0, 0})
-    at(rotation, "axis").fail("has no direction");
+  checkMotions(wall, dimension);
 }
 
 }  // namespace
@@ -265,8 +247,14 @@ const Section<WallSettings>& wallSection() {
           .text("lattice_of", &S::latticeOf, "fluid whose lattice is continued; absent: the first")
           .number("density", &S::density, "kg/m^d", Range::positive(),
                   "absent: of the first fluid, or of lattice_of")
-          .vector("velocity", &S::velocity, "m/s", "of the rigid motion; absent: zero")
-          .section("rotation", &S::rotation, rotationSection())
+          .vector("velocity", &S::velocity, "m/s",
+                  "constant; absent: zero. Translations add up; rotations do if they share centre "
+                  "and axis, "
+                  "and the centre moves along")
+          .section("rotation", &S::rotation, wallRotationSection())
+          .section("oscillation", &S::oscillation, oscillationSection())
+          .section("rocking", &S::rocking, rockingSection())
+          .section("motion", &S::motion, tableMotionSection())
           .number(
               "pressure", &S::pressure, "Pa m^(3-d)", Range::any(),
               "initial pressure, density follows; absent: zero, or the background pressure with "

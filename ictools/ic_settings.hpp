@@ -3,6 +3,7 @@
 // The [[fluid]] and [[wall]] tables of the case file.
 #pragma once
 
+#include "ictools/motion_settings.hpp"
 #include "particles/case_settings.hpp"
 
 #include <optional>
@@ -117,13 +118,6 @@ struct RelaxSettings {
   bool mayFail = false;  ///< not to reach the tolerance is a warning only
 };
 
-struct RotationSettings {
-  std::optional<double> rpm;
-  std::optional<double> omega;
-  std::vector<double> center;
-  std::vector<double> axis;
-};
-
 struct WallSettings {
   std::string name;
   std::string region;
@@ -134,6 +128,9 @@ struct WallSettings {
   std::optional<double> density;
   std::vector<double> velocity;
   std::optional<RotationSettings> rotation;
+  std::optional<OscillationSettings> oscillation;
+  std::optional<RockingSettings> rocking;
+  std::optional<TableMotionSettings> motion;
   std::optional<double> pressure;
   std::optional<HydrostaticSettings> hydrostatic;
   CaseNode node;

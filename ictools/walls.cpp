@@ -3,6 +3,7 @@
 
 #include "ictools/layer_points.hpp"
 #include "ictools/point_grid.hpp"
+#include "ictools/wall_motions.hpp"
 #include "ictools/wall_resolution.hpp"
 #include "particles/findings.hpp"
 #include "particles/memory.hpp"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace plenum {
 
@@ -114,7 +114,7 @@ int layersNeeded(double support, double spacing) {
 template <int Dim>
 WallFill<Dim> prepareWall(const WallSettings& settings, GeometryPtr<Dim> geometry,
                           const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
-                          const Warn& warn) {
+                          const std::filesystem::path& folder, const Warn& warn) {
   const FluidFill<Dim>& fluid = fluidNamed(fluids, settings);
   WallFill<Dim> wall{settings,
                      {std::move(geometry), !settings.outside.empty()},
@@ -136,6 +136,7 @@ WallFill<Dim> prepareWall(const WallSettings& settings, GeometryPtr<Dim> geometr
   wall.layers = settings.layers.value_or(needed);
   wall.density = settings.density.value_or(fluid.settings.density);
   wall.thickness = wall.layers * wall.spacing;
+  wall.motion = rigidMotion<Dim>(settings, folder);
   if (wall.layers < needed)
     warn(
         fmt::format("wall \"{}\" has {} layers of {:g} m, the kernel's support of {:g} m needs {}: "
@@ -211,64 +212,32 @@ void fillWalls(std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Di
   }
 }
 
-template <int Dim>
-RigidMotion rigidMotion(const WallSettings& settings) {
-  RigidMotion motion;
-  for (std::size_t a = 0; a < settings.velocity.size(); ++a)
-    motion.velocity[a] = settings.velocity[a];
-  if (!settings.rotation) return motion;
-  const RotationSettings& rotation = *settings.rotation;
-  for (std::size_t a = 0; a < rotation.center.size(); ++a) motion.center[a] = rotation.center[a];
-  std::array<double, 3> axis{0, 0, 1};
-  for (std::size_t a = 0; a < rotation.axis.size(); ++a) axis[a] = rotation.axis[a];
-  const double length = std::hypot(axis[0], axis[1], axis[2]);
-  const double omega = rotation.omega ? *rotation.omega : *rotation.rpm * 2 * std::numbers::pi / 60;
-  for (std::size_t a = 0; a < 3; ++a) motion.angularVelocity[a] = omega * (axis[a] / length);
-  return motion;
-}
-
-template <int Dim>
-Vec<Dim> velocityOf(const RigidMotion& motion, const Vec<Dim>& x) {
-  std::array<double, 3> r = toThree(x);
-  for (std::size_t a = 0; a < 3; ++a) r[a] -= motion.center[a];
-  const auto& w = motion.angularVelocity;
-  return fromThree<Dim>({motion.velocity[0] + w[1] * r[2] - w[2] * r[1],
-                         motion.velocity[1] + w[2] * r[0] - w[0] * r[2],
-                         motion.velocity[2] + w[0] * r[1] - w[1] * r[0]});
-}
-
 template Box<1> wallBox(const std::vector<WallFill<1>>&, const std::vector<FluidFill<1>>&,
                         const Box<1>&, const SceneFrame<1>&);
 template WallFill<1> prepareWall(const WallSettings&, GeometryPtr<1>,
                                  const std::vector<FluidFill<1>>&, const SceneFrame<1>&,
-                                 const Warn&);
+                                 const std::filesystem::path&, const Warn&);
 template void checkFluidOutsideWalls(const std::vector<FluidFill<1>>&,
                                      const std::vector<WallFill<1>>&, const SceneFrame<1>&);
 template void fillWalls(std::vector<WallFill<1>>&, const std::vector<FluidFill<1>>&, const Box<1>&,
                         const SceneFrame<1>&);
-template RigidMotion rigidMotion<1>(const WallSettings&);
-template Vec<1> velocityOf(const RigidMotion&, const Vec<1>&);
 template Box<2> wallBox(const std::vector<WallFill<2>>&, const std::vector<FluidFill<2>>&,
                         const Box<2>&, const SceneFrame<2>&);
 template WallFill<2> prepareWall(const WallSettings&, GeometryPtr<2>,
                                  const std::vector<FluidFill<2>>&, const SceneFrame<2>&,
-                                 const Warn&);
+                                 const std::filesystem::path&, const Warn&);
 template void checkFluidOutsideWalls(const std::vector<FluidFill<2>>&,
                                      const std::vector<WallFill<2>>&, const SceneFrame<2>&);
 template void fillWalls(std::vector<WallFill<2>>&, const std::vector<FluidFill<2>>&, const Box<2>&,
                         const SceneFrame<2>&);
-template RigidMotion rigidMotion<2>(const WallSettings&);
-template Vec<2> velocityOf(const RigidMotion&, const Vec<2>&);
 template Box<3> wallBox(const std::vector<WallFill<3>>&, const std::vector<FluidFill<3>>&,
                         const Box<3>&, const SceneFrame<3>&);
 template WallFill<3> prepareWall(const WallSettings&, GeometryPtr<3>,
                                  const std::vector<FluidFill<3>>&, const SceneFrame<3>&,
-                                 const Warn&);
+                                 const std::filesystem::path&, const Warn&);
 template void checkFluidOutsideWalls(const std::vector<FluidFill<3>>&,
                                      const std::vector<WallFill<3>>&, const SceneFrame<3>&);
 template void fillWalls(std::vector<WallFill<3>>&, const std::vector<FluidFill<3>>&, const Box<3>&,
                         const SceneFrame<3>&);
-template RigidMotion rigidMotion<3>(const WallSettings&);
-template Vec<3> velocityOf(const RigidMotion&, const Vec<3>&);
 
 }  // namespace plenum

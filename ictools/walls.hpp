@@ -5,6 +5,7 @@
 #include "ictools/wall_layers.hpp"
 #include "particles/scene.hpp"
 
+#include <filesystem>
 #include <vector>
 
 namespace plenum {
@@ -20,6 +21,7 @@ struct WallFill {
   int layers = 0;
   double thickness = 0;  ///< from the surface to the last layer, or through the solid [m]
   double density = 0;    ///< reference [kg/m^d]
+  RigidMotion motion = {};
   std::vector<WallPoint<Dim>> points = {};
 };
 
@@ -28,11 +30,12 @@ int layersNeeded(double support, double spacing);
 
 /// Checks a wall; `fluids` are prepared. Where they are refined it gets the finest spacing along
 /// its surface, and is as thick as the largest kernel that meets it. Throws InputError for an
-/// unknown `lattice_of`. Warns of a wall thinner than the kernel's support.
+/// unknown `lattice_of` and as `rigidMotion` does, which reads files in `folder`. Warns of a wall
+/// thinner than the kernel's support.
 template <int Dim>
 WallFill<Dim> prepareWall(const WallSettings& settings, GeometryPtr<Dim> geometry,
                           const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<Dim>& frame,
-                          const Warn& warn);
+                          const std::filesystem::path& folder, const Warn& warn);
 
 /// Throws FaultyInput, with count, place and remedy for each pair, if particles of a fluid stand in
 /// the solid of a wall.
@@ -54,12 +57,5 @@ Box<Dim> wallBox(const std::vector<WallFill<Dim>>& walls, const std::vector<Flui
 template <int Dim>
 void fillWalls(std::vector<WallFill<Dim>>& walls, const std::vector<FluidFill<Dim>>& fluids,
                const Box<Dim>& container, const SceneFrame<Dim>& frame);
-
-template <int Dim>
-RigidMotion rigidMotion(const WallSettings& settings);
-
-/// Velocity [m/s] of the material point that is at `x` [m] at t = 0.
-template <int Dim>
-Vec<Dim> velocityOf(const RigidMotion& motion, const Vec<Dim>& x);
 
 }  // namespace plenum

@@ -170,7 +170,9 @@ std::uintmax_t mostBytes(const Scene<Dim>& scene) {
     if (info.isState) perParticle += info.rank == Rank::vector ? 24 : 8;
   const SceneInfo<Dim>& info = scene.info;
   std::uintmax_t texts = info.caseText.size() + info.caseName.size() + info.title.size();
-  return scene.particles.size() * perParticle + texts + info.container.counts.size() +
+  std::uintmax_t tables = 0;  // five numbers a row
+  for (const Wall& wall : info.walls) tables += 5 * sizeof(double) * wall.motion.table.times.size();
+  return scene.particles.size() * perParticle + texts + tables + info.container.counts.size() +
          1024 * (256 + info.walls.size() + info.materials.size() + info.quality.size());
 }
 

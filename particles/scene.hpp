@@ -6,8 +6,8 @@
 #include "particles/box.hpp"
 #include "particles/container_map.hpp"
 #include "particles/particle_set.hpp"
+#include "particles/rigid_motion.hpp"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,19 +23,6 @@ struct Material {
   std::optional<double> taitExponent = {};        ///< gamma
   std::optional<double> backgroundPressure = {};  ///< p0 [Pa m^(3-d)]
   std::optional<double> dynamicViscosity = {};    ///< [Pa s m^(3-d)]
-};
-
-/// Rigid motion x' = velocity + angularVelocity x (x - center); in 2-D only the third component of
-/// the angular velocity counts.
-struct RigidMotion {
-  std::array<double, 3> velocity{};         ///< [m/s]
-  std::array<double, 3> angularVelocity{};  ///< [rad/s]
-  std::array<double, 3> center{};           ///< at t = 0 [m]
-
-  bool isStill() const {
-    constexpr std::array<double, 3> zero{};
-    return velocity == zero && angularVelocity == zero;
-  }
 };
 
 struct Wall {
@@ -56,6 +43,7 @@ struct SceneInfo {
   std::string caseText;        ///< the whole case file
   std::string generator;       ///< program and version that wrote the file
   double time = 0;             ///< [s]
+  double startTime = 0;        ///< at which moving walls had their reference positions [s]
   double spacing = 0;          ///< d_ref [m]
   std::string kernel;          ///< that the set was made for; the solver may choose another
   double smoothingLength = 0;  ///< h [m]

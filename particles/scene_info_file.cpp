@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/scene_info_file.hpp"
 
+#include "particles/motion_file.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -66,6 +68,7 @@ void writeWalls(const hdf5::Group& group, const std::vector<Wall>& walls) {
   group.setText("Unit", "m/s", "Velocity");
   group.setText("Unit", "rad/s", "AngularVelocity");
   group.setText("Unit", "m", "Center");
+  writeMotions(group, walls);
 }
 
 std::vector<Material> readMaterials(const hdf5::Group& group) {
@@ -107,6 +110,7 @@ std::vector<Wall> readWalls(const hdf5::Group& group) {
       wall.motion.center[a] = centers[3 * k + a];
     }
   }
+  readMotions(group, walls);
   return walls;
 }
 
@@ -190,6 +194,7 @@ void writeSceneInfo(const hdf5::Group& plenum, const SceneInfo<Dim>& info) {
   plenum.setText("CaseName", info.caseName);
   plenum.setText("Generator", info.generator);
   plenum.setAttribute("Time", info.time);
+  plenum.setAttribute("StartTime", info.startTime);
   plenum.setAttribute("Spacing", info.spacing);
   plenum.setText("KernelName", info.kernel);
   plenum.setAttribute("SmoothingLength", info.smoothingLength);
@@ -211,6 +216,9 @@ SceneInfo<Dim> readSceneInfo(const hdf5::Group& plenum) {
   info.caseText = plenum.readText("CaseText");
   info.generator = plenum.text("Generator");
   info.time = plenum.attribute<double>("Time");
+  // Absent in a file of an earlier version.
+  info.startTime =
+      plenum.hasAttribute("StartTime") ? plenum.attribute<double>("StartTime") : info.time;
   info.spacing = plenum.attribute<double>("Spacing");
   info.kernel = plenum.text("KernelName");
   info.smoothingLength = plenum.attribute<double>("SmoothingLength");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/density_gradient.hpp"
 
-#include <Eigen/Dense>
+#include "particles/number.hpp"
 
-#include <cmath>
+#include <Eigen/Dense>
 
 namespace plenum {
 
@@ -21,11 +21,12 @@ Vec<Dim> correctedGradient(const Vec<Dim>& sum, const Vec<Dim>& diagonal, const 
       const int b = (a + 1) % 3, c = (a + 2) % 3;
       moments(b, c) = moments(c, b) = mixed[a];
     }
-  // One where particles stand evenly, about a half at a plane surface: less than this is a line.
+  // The determinant of moments of this size that were the same in all directions is 1; of those at
+  // a corner it is about a half. Less than this is nearly a line or a plane.
   constexpr double least = 1e-2;
-  const double determinant = moments.determinant();
+  const double size = moments.trace() / Dim;
   Vec<Dim> gradient;
-  if (!(std::abs(determinant) > least)) return gradient;
+  if (!(size > 0 && moments.determinant() > least * power<Dim>(size))) return gradient;
   const Eigen::Matrix<double, Dim, 1> solved = moments.inverse() * right;
   for (int a = 0; a < Dim; ++a) gradient[a] = solved[a];
   return gradient;

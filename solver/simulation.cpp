@@ -76,7 +76,7 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings, bo
       states_(phases_.states()),
       gravity_(gravityOf<Dim>(settings)),
       wallState_(settings, phases_.statesOf(scene_.info.walls, settings), gravity_),
-      wallMotion_(scene_.info.walls, scene_.particles, scene_.info.domain, scene_.info.time),
+      wallMotion_(scene_),
       wallLoads_(scene_.info.walls.size()) {
   scene_.info.kernel = settings_.kernel;
   scene_.info.smoothingLength = smoothingLength();
@@ -97,6 +97,7 @@ FieldSet Simulation<Dim>::neededFields() const {
   FieldSet needed{field::position, field::velocity, field::mass,
                   field::density,  field::pressure, field::id};
   if (scene_.particles.nWalls() > 0) needed |= {field::wall, field::normal, field::wallDistance};
+  if (wallMotion_.anyMoves()) needed |= {field::referencePosition, field::referenceNormal};
   if (scene_.info.materials.size() > 1) needed |= {field::material};
   if (settings_.kicksTwice()) needed |= {field::acceleration};
   if (settings_.laminar() && scene_.particles.nWalls() > 0) needed |= {field::slipVelocity};
@@ -137,9 +138,9 @@ void Simulation<Dim>::begin() {
   });
   engine_.update(scene_.particles);
   if (settings_.sumsDensity()) updateDensity(0);  // the first state shown is the run's own
-  updatePressure();
+  updatePressure(time());
   if (!settings_.kicksTwice()) return;
-  sumForces();
+  sumForces(time());
   storeAcceleration();
 }
 
@@ -203,8 +204,8 @@ template <int Dim>
 void Simulation<Dim>::stepEuler(double dt) {
   engine_.update(scene_.particles);
   updateDensity(dt);
-  updatePressure();
-  sumForces();
+  updatePressure(time());
+  sumForces(time());
   kick(dt);
   collide();
   shiftParticles(dt);
@@ -227,8 +228,8 @@ void Simulation<Dim>::stepKickDriftKick(double dt) {
   moveWalls(time() + dt);
   engine_.update(scene_.particles);
   if (settings_.sumsDensity()) updateDensity(dt);
-  updatePressure();
-  sumForces();
+  updatePressure(time() + dt);
+  sumForces(time() + dt);
   storeAcceleration();
   kickByAcceleration(dt / 2);
   collide();
@@ -260,7 +261,7 @@ void Simulation<Dim>::updateDensity(double dt) {
 }
 
 template <int Dim>
-void Simulation<Dim>::updatePressure() {
+void Simulation<Dim>::updatePressure(double now) {
   ParticleSet<Dim>& particles = scene_.particles;
   {
     const auto integrating = engine_.stopwatch().lap(Part::integrate);
@@ -270,16 +271,17 @@ void Simulation<Dim>::updatePressure() {
     states_.pressures(std::as_const(particles)[field::density].first(nFluid), materialOf,
                       particles[field::pressure].first(nFluid));
   }
-  wallState_.update(engine_, passes_.atWalls, particles, [&](std::size_t i) {
-    const std::int32_t wall = particles[field::wall][i - particles.nFluid()];
-    return wallMotion_.acceleration(wall, particles[field::position][i], time());
-  });
+  if (settings_.wallsExtrapolate() && wallMotion_.anyMoves()) {
+    wallAccelerations_.resize(particles.nWalls());
+    wallMotion_.accelerations(now, particles, wallAccelerations_);
+  }
+  wallState_.update(engine_, passes_.atWalls, particles, wallAccelerations_);
 }
 
-/// Sums the forces of this moment. Walls that fluid sticks to show it the velocity behind their
-/// surface.
+/// Sums the forces at the present positions, those of the time `now` [s]. Walls that fluid sticks
+/// to show it the velocity behind their surface.
 template <int Dim>
-void Simulation<Dim>::sumForces() {
+void Simulation<Dim>::sumForces(double now) {
   ParticleSet<Dim>& particles = scene_.particles;
   const auto swapSlip = [&] {
     if (particles.has(field::slipVelocity))
@@ -289,7 +291,7 @@ void Simulation<Dim>::sumForces() {
   swapSlip();
   engine_.run(passes_.forces, particles);
   swapSlip();
-  if (measuresLoads_) wallLoads_.setForces(engine_, particles, wallMotion_.centers(time()));
+  if (measuresLoads_) wallLoads_.setForces(engine_, particles, wallMotion_.centers(now));
 }
 
 template <int Dim>
@@ -348,6 +350,7 @@ void Simulation<Dim>::kickByAcceleration(double dt) {
   const auto velocity = scene_.particles[field::velocity];
   const auto acceleration = std::as_const(scene_.particles)[field::acceleration];
   forEachIndex(acceleration.size(), [&](std::size_t i) { velocity[i] += dt * acceleration[i]; });
+  wallLoads_.act(dt);
 }
 
 template <int Dim>
@@ -431,18 +434,21 @@ std::size_t Simulation<Dim>::fastestParticle() const {
   return static_cast<std::size_t>(std::ranges::find_if(velocity, isFastest) - velocity.begin());
 }
 
-/// A fixed step may be too long for the sound, the flow or the viscosity.
+/// A fixed step may be too long for sound or viscosity; of particles that are too fast
+/// `requireSpeedLimit` says more.
 template <int Dim>
 void Simulation<Dim>::requireStable(double dt) const {
   if (!settings_.timeStep) return;
   const double h = smoothingLength(), c = phases_.largestSoundSpeed();
   const double nu = phases_.largestKinematicViscosity();
-  double limit = mostCourant * h / (c + fastest_);
+  double limit = mostCourant * h / c;
   if (nu > 0) limit = std::min(limit, h * h / nu);
   if (dt > limit * (1 + 1e-9))
-    fail(fmt::format("the fastest of all: the time step {:g} s is longer than its limit {:g} s", dt,
-                     limit),
-         fastestParticle());
+    throw RunError(fmt::format(
+        "the time step {:g} s is longer than its limit {:g} s (2 h/c, h^2/nu) at t = {:.6g} s, "
+        "step "
+        "{}: no run is stable with it; try --set solver.time_step={:.2g}, or leave time_step out",
+        dt, limit, time(), nSteps_, 0.1 * limit));
 }
 
 template <int Dim>

@@ -84,7 +84,7 @@ class Simulation {
     scene_.info.quality = std::move(quality);
   }
 
-  /// A fixed step longer than so many h/(c + |v|) is refused. Measured: a tank with alpha = 1 is
+  /// A fixed step longer than so many h/c is refused. Measured: a tank with alpha = 1 is
   /// stable up to 1.6 h/c.
   static constexpr double mostCourant = 2;
 
@@ -97,8 +97,8 @@ class Simulation {
   void stepEuler(double dt);
   void stepKickDriftKick(double dt);
   void updateDensity(double dt);
-  void updatePressure();
-  void sumForces();
+  void updatePressure(double now);
+  void sumForces(double now);
   void kick(double dt);
   void storeAcceleration();
   void kickByAcceleration(double dt);
@@ -122,6 +122,7 @@ class Simulation {
   Vec<Dim> gravity_{};
   WallState<Dim> wallState_;
   WallMotion<Dim> wallMotion_;
+  std::vector<Vec<Dim>> wallAccelerations_;  // empty if no wall moves [m/s^2]
   WallLoads<Dim> wallLoads_;
   double largestAcceleration_ = 0;  // of a fluid particle in the last step [m/s^2]
   double fastest_ = 0;              // its speed [m/s]

@@ -1,61 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "particles/particle_set.hpp"
 #include "particles/scene.hpp"
+
+#include <span>
 
 namespace plenum {
 
-/// A rigid motion from one time to another: x -> centerAfter + turn (x - centerBefore).
-struct Displacement {
-  std::array<std::array<double, 3>, 3> turn{};
-  std::array<double, 3> centerBefore{}, centerAfter{};
-
-  Displacement(const RigidMotion& motion, double before, double after);
-
-  template <int Dim>
-  Vec<Dim> turned(const Vec<Dim>& direction) const;
-  template <int Dim>
-  Vec<Dim> moved(const Vec<Dim>& x) const {
-    return fromThree<Dim>(centerAfter) + turned(x - fromThree<Dim>(centerBefore));
-  }
-};
-
-/// Velocity [m/s] of a rigid motion at point x when its centre is at `center`.
-template <int Dim>
-Vec<Dim> velocityAt(const RigidMotion& motion, const Vec<Dim>& x, const Vec<Dim>& center);
-
-/// Moves wall particles rigidly. Positions come from the state at the start of the run and the
-/// elapsed time, not step by step, so that a shaft stays round after any number of turns.
+/// Moves wall particles rigidly. Positions come from the reference positions, which the particles
+/// carry, and the time since then, not step by step: a shaft stays round after any number of turns,
+/// and a run that was stopped and resumed has the same bits.
 template <int Dim>
 class WallMotion {
  public:
-  /// Remembers where the walls are at `startTime` [s]; moves nothing if none has a motion. Throws
-  /// InputError if the ids of the wall particles are not consecutive, as `plenum-ic` numbers them.
-  WallMotion(std::vector<Wall> walls, const ParticleSet<Dim>& particles, const Box<Dim>& domain,
-             double startTime);
+  /// If some wall moves and the particles carry no reference yet, where they stand now is the
+  /// reference, and the scene's time is its startTime.
+  explicit WallMotion(Scene<Dim>& scene);
+
+  /// True if a wall with particles has a motion.
+  bool anyMoves() const { return anyMoves_; }
 
   /// Sets positions (wrapped into the periodic domain), velocities and normals of all moving walls
   /// to those at `time` [s]. Returns the longest way that one of them went [m].
   double moveTo(double time, ParticleSet<Dim>& particles);
 
-  /// Acceleration [m/s^2] of a point x that moves with a wall.
-  Vec<Dim> acceleration(std::int32_t wall, const Vec<Dim>& x, double time) const;
-  /// Where the centres of rotation of the walls are [m].
+  /// Acceleration [m/s^2] at `time` [s] of the point of wall `wall` that is at `point` [m]. In a
+  /// periodic domain `point` must not be wrapped if the wall rotates.
+  Vec<Dim> acceleration(std::size_t wall, const Vec<Dim>& point, double time) const;
+
+  /// The accelerations of all wall particles at `time` [s]; length nWalls().
+  void accelerations(double time, const ParticleSet<Dim>& particles, std::span<Vec<Dim>> result);
+
+  /// Where the centres of rotation of the walls are at `time` [m].
   std::vector<Vec<Dim>> centers(double time) const;
 
  private:
-  struct Start {
-    Vec<Dim> position;
-    Vec<Dim> normal;
+  /// Where a wall is at one time.
+  struct Pose {
+    Displacement displacement;
+    MotionState state;
   };
+  void setPoses(double time);
 
   std::vector<Wall> walls_;
   Box<Dim> domain_;
   double startTime_;
-  std::uint64_t firstId_ = 0;                // smallest id of a wall particle
-  std::vector<Start> start_;                 // by id - firstId_; empty if no wall moves
-  std::vector<Displacement> displacements_;  // per wall, of the current call
+  bool anyMoves_ = false;
+  std::vector<Pose> poses_;  // of the walls, in the current call
 };
 
 extern template class WallMotion<1>;

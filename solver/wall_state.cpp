@@ -6,6 +6,43 @@
 namespace plenum {
 
 template <int Dim>
+void WallState<Dim>::update(Engine<Dim>& engine, const PairPass<Dim>& atWalls,
+                            ParticleSet<Dim>& particles,
+                            std::span<const Vec<Dim>> accelerations) const {
+  if (particles.nWalls() == 0) return;
+  if (atWalls) engine.run(atWalls, particles);
+  const auto integrating = engine.stopwatch().lap(Part::integrate);
+  if (settings_.wallsExtrapolate())
+    extrapolate(engine, particles, accelerations);
+  else
+    setPressures(particles);
+  if (particles.has(field::slipVelocity)) setSlip(engine, particles);
+}
+
+template <int Dim>
+void WallState<Dim>::extrapolate(const Engine<Dim>& engine, ParticleSet<Dim>& particles,
+                                 std::span<const Vec<Dim>> accelerations) const {
+  const std::size_t nFluid = particles.nFluid();
+  const auto pressure = particles[field::pressure];
+  const auto density = particles[field::density];
+  const auto wallOf = std::as_const(particles)[field::wall];
+  engine.forEachSum(
+      Group::walls,
+      [&](std::size_t i, double kernelSum, double pressureSum, const Vec<Dim>& massMoment) {
+        const Tait& state = states_.of(wallOf, i - nFluid);
+        double p = 0;
+        if (kernelSum > leastKernelSum) {
+          const Vec<Dim> fall =
+              accelerations.empty() ? gravity_ : gravity_ - accelerations[i - nFluid];
+          p = std::max(0.0, (pressureSum + dot(fall, massMoment)) / kernelSum);
+        }
+        pressure[i] = p;
+        density[i] = state.density(p);
+      },
+      field::kernelSum, field::pressure, field::massMoment);
+}
+
+template <int Dim>
 void WallState<Dim>::setPressures(ParticleSet<Dim>& particles) const {
   const std::size_t nFluid = particles.nFluid();
   const auto pressure = particles[field::pressure].subspan(nFluid);

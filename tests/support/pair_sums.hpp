@@ -67,6 +67,11 @@ ParticleView<long double, Dim> viewOf(const ParticleSet<Dim>& particles, std::si
   view.volume = view.mass / view.density;
   view.specificVolume = 1 / view.density;
   view.pressureOverDensitySquared = view.pressure / (view.density * view.density);
+  if (particles.has(field::dynamicViscosity))
+    view.dynamicViscosity = particles[field::dynamicViscosity][i];
+  if (particles.has(field::soundSpeed)) view.soundSpeed = particles[field::soundSpeed][i];
+  if (particles.has(field::densityGradient))
+    view.densityGradient = toLong(particles[field::densityGradient][i]);
   return view;
 }
 

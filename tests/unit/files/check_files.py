@@ -21,7 +21,9 @@ FIELDS = {
     "velocity": "Velocities", "mass": "Masses", "density": "Density", "pressure": "Pressure",
     "smoothing_length": "SmoothingLength", "internal_energy": "InternalEnergy",
     "id": "ParticleIDs", "material": "MaterialIDs", "wall": "WallIDs", "normal": "Normals",
-    "wall_distance": "WallDistances", "type": "ParticleTypes",
+    "wall_distance": "WallDistances", "reference_position": "ReferencePositions",
+    "reference_normal": "ReferenceNormals", "acceleration": "Accelerations",
+    "type": "ParticleTypes",
 }
 UNITS = {"Coordinates": "m", "Velocities": "m/s", "Masses": "kg", "Density": "kg/m^d",
          "SmoothingLength": "m", "InternalEnergy": "J/kg", "ParticleIDs": ""}

@@ -152,6 +152,45 @@ TEST_F(DamagedFile, MissingAttribute) {
       "/Plenum lacks the attribute Spacing");
 }
 
+TEST_F(DamagedFile, MotionsWithoutSense) {
+  const auto errorOf = [&](const std::function<void(RigidMotion&)>& change) {
+    auto scene = sampleScene<2>();
+    change(scene.info.walls[1].motion);
+    writeParticleFile(path_, scene);
+    return errorOfReading(path_);
+  };
+  EXPECT_SAYS(errorOf([](RigidMotion& m) { m.oscillation.harmonic.ramp = 5; }),
+              "/Plenum/Walls gives wall \"housing\" a ramp of 5 s from 1 s until 9 s");
+  EXPECT_SAYS(errorOf([](RigidMotion& m) { m.table.times[2] = 0; }), "a table with 0 s after 0 s");
+  EXPECT_SAYS(errorOf([](RigidMotion& m) {
+                m.axis = {1, 1, 1};
+              }),
+              "an axis that is no unit vector");
+  writeParticleFile(path_, sampleScene<2>());
+  EXPECT_SAYS(errorAfter([](hid_t file) { replace(file, "Plenum/Walls/TableTime", 4); }),
+              "/Plenum/Walls/TableTime is no list of the 5 rows that TableRows counts");
+  for (const char* name : {"RockingSignal", "OscillationSignal", "TablePlace"}) {
+    writeParticleFile(path_, sampleScene<2>());
+    const std::string path = std::string("Plenum/Walls/") + name;
+    EXPECT_SAYS(errorAfter([&](hid_t file) { H5Ldelete(file, path.c_str(), H5P_DEFAULT); }),
+                path + " is missing");
+  }
+}
+
+TEST_F(DamagedFile, AFileOfAnEarlierVersionHasConstantMotionsOnly) {
+  const hid_t file = H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  for (const char* name : {"Axis", "OscillationAmplitude", "OscillationSignal", "RockingAmplitude",
+                           "RockingSignal", "TableRows", "TableTime", "TablePlace"})
+    EXPECT_GE(H5Ldelete(file, (std::string("Plenum/Walls/") + name).c_str(), H5P_DEFAULT), 0);
+  EXPECT_GE(H5Adelete_by_name(file, "Plenum", "StartTime", H5P_DEFAULT), 0);
+  H5Fclose(file);
+  const SceneInfo<2> info = readParticleFile<2>(path_).info;
+  EXPECT_EQ(info.startTime, info.time);
+  const RigidMotion& shaft = info.walls[0].motion;
+  EXPECT_TRUE(shaft == (RigidMotion{{0, 0, 0}, {0, 0, 104.7}, {0.1, 0.2, 0.3}}));
+  EXPECT_TRUE(info.walls[1].motion.isStill());
+}
+
 TEST_F(DamagedFile, LengthsThatDisagree) {
   EXPECT_SAYS(errorAfter([](hid_t file) { replace(file, "PartType0/Masses", 49); }),
               "/PartType0/Masses has the shape (49), must have (50)");

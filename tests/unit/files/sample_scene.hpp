@@ -53,6 +53,7 @@ SceneInfo<Dim> sampleInfo() {
   info.caseText = "title = \"sample\"\n" + std::string(100000, '#') + "\n";  // more than 64 KiB
   info.generator = "plenum-ic test";
   info.time = 0.1 + 0.2;
+  info.startTime = 0.1;
   info.spacing = 1.0 / 3;
   info.kernel = "convex";
   info.smoothingLength = 0.5;
@@ -62,6 +63,12 @@ SceneInfo<Dim> sampleInfo() {
   info.progress = {{"step", 12}, {"impulse", 1.0 / 3}};
   info.walls = {{"shaft", "lattice", 3, 1.0, 1, {{0, 0, 0}, {0, 0, 104.7}, {0.1, 0.2, 0.3}}},
                 {"housing", "conformal", 4, 4.0 / 3, 2, {}}};
+  RigidMotion& motion = info.walls[1].motion;
+  motion.axis = {0.6, 0, -0.8};
+  motion.oscillation = {{0.1, 1.0 / 3, -0.3}, {1.0 / 7, 0.5, 1, 9, 0.1 + 0.2}};
+  motion.rocking = {1.0 / 9, {3}};
+  motion.table = {{-1.0 / 3, 0, 1e-9}, {{1.0 / 7, 2, 3, 4}, {-1e-300, 0, 0, 0}, {5, 6, 7, 8}}};
+  info.walls[0].motion.table = {{0, 5}, {{1, 0, 0, 0}, {0.1, 0, 0, 0}}};
   info.container.lower = Vec<Dim>::filled(-2);
   info.container.spacing = 0.25;
   info.container.step = 0.01;
@@ -109,6 +116,7 @@ void expectSame(const SceneInfo<Dim>& a, const SceneInfo<Dim>& b) {
   EXPECT_EQ(a.caseText, b.caseText);
   EXPECT_EQ(a.generator, b.generator);
   EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.startTime, b.startTime);
   EXPECT_EQ(a.progress, b.progress);
   EXPECT_EQ(a.spacing, b.spacing);
   EXPECT_EQ(a.kernel, b.kernel);
@@ -132,9 +140,7 @@ void expectSame(const SceneInfo<Dim>& a, const SceneInfo<Dim>& b) {
     EXPECT_EQ(a.walls[k].layers, b.walls[k].layers);
     EXPECT_EQ(a.walls[k].thickness, b.walls[k].thickness);
     EXPECT_EQ(a.walls[k].density, b.walls[k].density);
-    EXPECT_EQ(a.walls[k].motion.velocity, b.walls[k].motion.velocity);
-    EXPECT_EQ(a.walls[k].motion.angularVelocity, b.walls[k].motion.angularVelocity);
-    EXPECT_EQ(a.walls[k].motion.center, b.walls[k].motion.center);
+    EXPECT_TRUE(a.walls[k].motion == b.walls[k].motion) << k;
   }
   EXPECT_EQ(a.container.lower, b.container.lower);
   EXPECT_EQ(a.container.spacing, b.container.spacing);

@@ -276,14 +276,5 @@ TEST(Walls, LayersFollowTheKernelsSupport) {
     EXPECT_EQ(layersNeeded(2 * h * 0.01, 0.01), layers);
 }
 
-TEST(Walls, RigidMotionInSpace) {
-  WallSettings wall;
-  wall.velocity = {1, 0, 0};
-  wall.rotation = RotationSettings{{}, 2.0, {0, 0, 1}, {0, 3, 0}};
-  const RigidMotion motion = rigidMotion<3>(wall);
-  // v = (1, 0, 0) + (0, 2, 0) x (x - (0, 0, 1))
-  EXPECT_NEAR(norm(velocityOf<3>(motion, {{1, 5, 3}}) - Vec<3>{{1 + 4, 0, -2}}), 0, 1e-14);
-}
-
 }  // namespace
 }  // namespace plenum

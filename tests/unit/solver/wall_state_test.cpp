@@ -56,7 +56,7 @@ TYPED_TEST(WallStateTest, ExtrapolatedPressureIsHydrostatic) {
   Vec<dim> gravity;
   gravity[dim - 1] = -1;
   WallState<dim> walls(settings, MaterialTable({state, state}), gravity);
-  walls.update(engine, passes.atWalls, scene.particles, [](std::size_t) { return Vec<dim>{}; });
+  walls.update(engine, passes.atWalls, scene.particles, {});
 
   std::size_t nSeen = 0;
   const double reach = options.support;
@@ -93,9 +93,8 @@ TEST(WallState, AcceleratedWallsFeelTheDifferenceToGravity) {
   const auto passes = selectPasses<2>(settings, phases, {scene.info.spacing, true, false}, {});
   const Tait state{1, 10, 0, 1};
   WallState<2> walls(settings, MaterialTable({state, state}), {{0, -1}});
-  walls.update(engine, passes.atWalls, scene.particles, [](std::size_t) {
-    return Vec<2>{{0, -1}};
-  });
+  const std::vector<Vec<2>> falling(scene.particles.nWalls(), {{0, -1}});
+  walls.update(engine, passes.atWalls, scene.particles, falling);
   for (std::size_t i = scene.particles.nFluid(); i < scene.particles.size(); ++i) {
     const double p = scene.particles[field::pressure][i];
     if (p != 0) EXPECT_NEAR(p, 5.0, 1e-13);  // a mean of 5.0s
