@@ -89,7 +89,7 @@ std::string printChoices(std::span<const std::string> choices) {
 }  // namespace section_detail
 
 std::string SectionDoc::printed(int indent) const {
-  const std::string name = isList ? "[[" + key + "]]" : key;
+  const std::string name = isList ? fmt::format("[[{}]]", key) : key;
   std::string text =
       fmt::format("{:{}}{}{}\n", "", indent, key.empty() ? "" : name + "  ", description);
   for (const ParameterDoc& p : parameters) {
@@ -120,8 +120,9 @@ std::string cell(std::string text) {
 
 std::string SectionDoc::markdown(const std::string& prefix) const {
   const std::string path = prefix.empty() ? key : prefix + "." + key;
-  std::string text = path.empty() ? "### Top level\n\n"
-                                  : fmt::format("### `{}`\n\n", isList ? "[[" + path + "]]" : path);
+  std::string text = path.empty()
+                         ? "### Top level\n\n"
+                         : fmt::format("### `{}`\n\n", isList ? fmt::format("[[{}]]", path) : path);
   text += description + "\n\n";
   text += "| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
   for (const ParameterDoc& p : parameters)

@@ -220,7 +220,7 @@ TEST(Section, ListsOfTablesAndOfNumbers) {
   EXPECT_SAYS(error("toy = 3"), "is an integer, must be a list");
   EXPECT_SAYS(error("toy = [3]"), "is an integer, must be a table");
   EXPECT_SAYS(error("weights = [1, 0]\n"), "weights[1] = 0: must be > 0 [kg]");
-  EXPECT_SAYS(error("weights = [1]\n"), "f: needs a weight for each toy");
+  EXPECT_SAYS(error("weights = [1]\n"), "f:1: needs a weight for each toy");
   const SectionDoc doc = flockSection().doc("flock");
   EXPECT_SAYS(doc.markdown(), "### `[[flock.toy]]`");
   EXPECT_SAYS(doc.printed(), "[[toy]]  ");
