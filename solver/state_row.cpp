@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace plenum {
 
@@ -52,12 +51,6 @@ std::vector<Figure> measureState(const Simulation<Dim>& simulation, bool freeSur
   row.push_back({"void1", "", measureVoids(particles, info, freeSurface)});
   row.push_back({"left", "", static_cast<double>(countLeft(particles, info))});
   return row;
-}
-
-double valueOf(const std::vector<Figure>& figures, const std::string& name) {
-  for (const Figure& figure : figures)
-    if (figure.name == name) return figure.value;
-  throw std::out_of_range("no figure is called " + name);
 }
 
 template std::vector<Figure> measureState<1>(const Simulation<1>&, bool, double);
