@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/measures.hpp"
 #include "solver/conserved.hpp"
 #include "solver/figure.hpp"
-
-#include <vector>
+#include "solver/measures/observers.hpp"
 
 namespace plenum {
 
-/// All measures of the present state, in the order of history.csv's columns. The same list makes
-/// the summary. `wallClock` [s] is the time since the run began.
+/// What measures see of a run as it is now.
 template <int Dim>
-std::vector<Figure> measureState(const Simulation<Dim>& simulation, bool freeSurface,
+Observed<Dim> observed(const Simulation<Dim>& simulation);
+
+/// All measures of the present state, in the order of history.csv's columns: those that every run
+/// has, then those that the case names. The same list makes the summary. `wallClock` [s] is the
+/// time since the run began.
+template <int Dim>
+std::vector<Figure> measureState(const Simulation<Dim>& simulation, const Observers<Dim>& observers,
                                  double wallClock);
+
+/// The same for measures that are not kept.
+template <int Dim>
+std::vector<Figure> measureState(const Simulation<Dim>& simulation,
+                                 const MeasureSettings& measures = {});
 
 }  // namespace plenum
