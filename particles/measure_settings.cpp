@@ -164,7 +164,7 @@ const Section<MeasureSettings>& measureSection() {
                 "holes count only between particles: within 2 d_ref in every quadrant")
           .flag("order", &S::order,
                 "nn_min, nn_mean, f.1, f.5, f.85, psi6, void1 and left; a row with them costs as "
-                "much as many steps")
+                "much as some tens of steps")
           .sections("probe", &S::probes, probeSection())
           .sections("gauge", &S::gauges, gaugeSection())
           .section("front", &S::front, frontSection())

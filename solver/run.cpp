@@ -20,11 +20,8 @@ namespace {
 
 void change(CaseNode& root, const std::string& assignment) {
   const auto [key, value] = CaseNode::splitAssignment(assignment);
-  const auto belongsTo = [&](const char* section) {
-    return key.starts_with(std::string(section) + ".");
-  };
-  const bool isValidate = key == "validate" || key.starts_with("validate[");
-  if (!belongsTo("solver") && !belongsTo("output") && !belongsTo("measures") && !isValidate)
+  const std::string section = key.substr(0, key.find_first_of(".["));
+  if (section != "solver" && section != "output" && section != "measures" && section != "validate")
     throw InputError(
         fmt::format("--set {}: only keys of solver, output, measures and validate can change once "
                     "the particles are made; change the case and run plenum-ic generate again",
