@@ -123,15 +123,6 @@ const Section<OutputSettings>& outputSection() {
   return section;
 }
 
-const Section<MeasureSettings>& measureSection() {
-  using S = MeasureSettings;
-  static const Section<S> section =
-      Section<S>("how the measures of history.csv are taken")
-          .flag("free_surface", &S::freeSurface,
-                "holes count only between particles: within 2 d_ref in every quadrant");
-  return section;
-}
-
 const Section<CaseSettings>& caseSection() {
   using S = CaseSettings;
   static const Section<S> section =
@@ -154,7 +145,8 @@ const Section<CaseSettings>& caseSection() {
                 "region in which fluid may be, for the measures; absent: where it starts")
           .section("solver", &S::solver, solverSection())
           .section("output", &S::output, outputSection())
-          .section("measures", &S::measures, measureSection());
+          .section("measures", &S::measures, measureSection())
+          .sections("validate", &S::validations, validateSection());
   return section;
 }
 

@@ -5,7 +5,9 @@
 #pragma once
 
 #include "particles/case_node.hpp"
+#include "particles/measure_settings.hpp"
 #include "particles/section.hpp"
+#include "particles/validate_settings.hpp"
 
 #include <optional>
 #include <string>
@@ -93,10 +95,6 @@ struct OutputSettings {
   std::string picture = "velocity";    ///< field that colours the pictures
 };
 
-struct MeasureSettings {
-  bool freeSurface = false;
-};
-
 struct CaseSettings {
   std::string title;
   int dimension = 2;
@@ -111,6 +109,7 @@ struct CaseSettings {
   std::optional<SolverSettings> solver;
   std::optional<OutputSettings> output;
   std::optional<MeasureSettings> measures;
+  std::vector<ValidateSettings> validations;
 
   SolverSettings solverOrDefaults() const { return solver.value_or(SolverSettings{}); }
   OutputSettings outputOrDefaults() const { return output.value_or(OutputSettings{}); }
@@ -120,7 +119,6 @@ struct CaseSettings {
 /// The declarations of the sections above, for reading, help and docs.
 const Section<SolverSettings>& solverSection();
 const Section<OutputSettings>& outputSection();
-const Section<MeasureSettings>& measureSection();
 const Section<CaseSettings>& caseSection();
 
 /// Throws InputError for anything that is wrong in the parts that are read here.

@@ -71,6 +71,15 @@ std::vector<double> readVector(const CaseNode& node, int dimension) {
   return values;
 }
 
+std::vector<double> readList(const CaseNode& node, const Range& range, const std::string& unit) {
+  std::vector<double> values;
+  for (const CaseNode& item : node.asArray()) {
+    values.push_back(item.asNumber());
+    checkNumber(item, values.back(), range, unit);
+  }
+  return values;
+}
+
 std::string printNumber(double value) { return fmt::format("{}", value); }
 
 std::string printChoices(std::span<const std::string> choices) {
@@ -80,8 +89,9 @@ std::string printChoices(std::span<const std::string> choices) {
 }  // namespace section_detail
 
 std::string SectionDoc::printed(int indent) const {
+  const std::string name = isList ? fmt::format("[[{}]]", key) : key;
   std::string text =
-      fmt::format("{:{}}{}{}\n", "", indent, key.empty() ? "" : key + "  ", description);
+      fmt::format("{:{}}{}{}\n", "", indent, key.empty() ? "" : name + "  ", description);
   for (const ParameterDoc& p : parameters) {
     const bool isTable = std::any_of(inner.begin(), inner.end(),
                                      [&](const SectionDoc& doc) { return doc.key == p.key; });
@@ -110,7 +120,9 @@ std::string cell(std::string text) {
 
 std::string SectionDoc::markdown(const std::string& prefix) const {
   const std::string path = prefix.empty() ? key : prefix + "." + key;
-  std::string text = path.empty() ? "### Top level\n\n" : fmt::format("### `{}`\n\n", path);
+  std::string text = path.empty()
+                         ? "### Top level\n\n"
+                         : fmt::format("### `{}`\n\n", isList ? fmt::format("[[{}]]", path) : path);
   text += description + "\n\n";
   text += "| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
   for (const ParameterDoc& p : parameters)

@@ -48,6 +48,7 @@ struct SectionDoc {
   std::string description;
   std::vector<ParameterDoc> parameters;
   std::vector<SectionDoc> inner;
+  bool isList = false;  ///< the key holds a list of such tables, [[key]]
 
   /// Plain text for `--help`, one line a key, indented by `indent` blanks.
   std::string printed(int indent = 0) const;
@@ -62,6 +63,7 @@ void checkChoice(const CaseNode& node, std::span<const std::string> choices);
 void checkKeys(const CaseNode& table, const std::vector<ParameterDoc>& docs);
 int asInt(const CaseNode& node, std::int64_t value);
 std::vector<double> readVector(const CaseNode& node, int dimension);
+std::vector<double> readList(const CaseNode& node, const Range& range, const std::string& unit);
 std::string printNumber(double value);
 std::string printChoices(std::span<const std::string> choices);
 }  // namespace section_detail
@@ -148,6 +150,15 @@ class Section {
                });
   }
 
+  /// A list of any number of numbers.
+  Section& list(const std::string& key, std::vector<double> S::*member, const std::string& unit,
+                const Range& range, const std::string& description) {
+    return add({key, "list of numbers", unit, range.printed(), "", false, description},
+               [=](S& settings, const CaseNode& node, int) {
+                 settings.*member = section_detail::readList(node, range, unit);
+               });
+  }
+
   /// A list of strings.
   Section& texts(const std::string& key, std::vector<std::string> S::*member,
                  const std::string& description, std::vector<std::string> choices = {}) {
@@ -173,11 +184,32 @@ class Section {
                });
   }
 
+  /// A list of tables, `[[key]]`, all of one form; absent means none.
+  template <class Inner>
+  Section& sections(const std::string& key, std::vector<Inner> S::*member,
+                    const Section<Inner>& inner) {
+    inner_.push_back(inner.doc(key));
+    inner_.back().isList = true;
+    return add({key, "list of tables", "", "", "", false, inner.doc(key).description},
+               [=](S& settings, const CaseNode& node, int dimension) {
+                 (settings.*member).clear();
+                 for (const CaseNode& item : node.asArray())
+                   (settings.*member).push_back(inner.read(item, dimension));
+               });
+  }
+
   /// A value of any form, kept as it stands for somebody else to read.
   Section& node(const std::string& key, std::optional<CaseNode> S::*member, const std::string& type,
                 const std::string& description) {
     return add({key, type, "", "", "", false, description},
                [=](S& settings, const CaseNode& node, int) { settings.*member = node; });
+  }
+
+  /// What must hold between keys: called after they are read; throws by `table.fail`.
+  using Condition = std::function<void(const S&, const CaseNode& table, int dimension)>;
+  Section& condition(Condition condition) {
+    conditions_.push_back(std::move(condition));
+    return *this;
   }
 
   /// The key declared last must be there.
@@ -188,16 +220,17 @@ class Section {
   }
 
   /// Throws InputError for unknown keys (with the nearest known one), wrong types, values out of
-  /// range and missing keys. `dimension` is the length of vectors.
+  /// range, missing keys and conditions that do not hold. `dimension` is the length of vectors.
   S read(const CaseNode& table, int dimension) const {
     section_detail::checkKeys(table, docs_);
     S settings;
     for (std::size_t k = 0; k < docs_.size(); ++k)
       if (const CaseNode* node = table.find(docs_[k].key)) readers_[k](settings, *node, dimension);
+    for (const Condition& condition : conditions_) condition(settings, table, dimension);
     return settings;
   }
 
-  SectionDoc doc(const std::string& key) const { return {key, description_, docs_, inner_}; }
+  SectionDoc doc(const std::string& key) const { return {key, description_, docs_, inner_, false}; }
 
  private:
   using Reader = std::function<void(S&, const CaseNode&, int dimension)>;
@@ -211,6 +244,7 @@ class Section {
   std::string description_;
   std::vector<ParameterDoc> docs_;
   std::vector<Reader> readers_;
+  std::vector<Condition> conditions_;
   std::vector<SectionDoc> inner_;
 };
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cmath>
 
 namespace plenum {
 
@@ -23,7 +24,9 @@ void History::add(const std::vector<Figure>& figures) {
     hasHeader_ = true;
   }
   std::string row;
-  for (const Figure& f : figures) row += fmt::format("{}{:.12g}", row.empty() ? "" : ",", f.value);
+  for (std::size_t k = 0; k < figures.size(); ++k)
+    row += (k == 0 ? "" : ",") +
+           (std::isnan(figures[k].value) ? "" : fmt::format("{:.12g}", figures[k].value));
   errno = 0;
   out_ << line << row << '\n' << std::flush;
   if (!out_) throw RunError(writeFailure(path_, errno != 0 ? errno : EIO));

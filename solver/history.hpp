@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/state_row.hpp"
+#include "solver/figure.hpp"
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace plenum {
 
@@ -15,7 +16,7 @@ class History {
   /// Throws RunError if the file cannot be written.
   explicit History(std::filesystem::path path);
 
-  /// All rows must have the same figures.
+  /// All rows must have the same figures; those that are NaN leave an empty cell.
   void add(const std::vector<Figure>& figures);
 
  private:

@@ -8,6 +8,7 @@
 #include "particles/version.hpp"
 #include "solver/run.hpp"
 #include "solver/simulation.hpp"
+#include "solver/validation_report.hpp"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -25,12 +26,8 @@ struct CommandLine {
   std::vector<std::string> changes;
   int threads = 0;
   bool quiet = false;
+  bool strict = false;
 };
-
-void printFigures(const std::vector<Figure>& figures) {
-  for (const Figure& f : figures)
-    std::cout << fmt::format("  {:<20} {:>12.6g} {}\n", f.name, f.value, f.unit);
-}
 
 /// As asked, or as many as have work: a thread that waits for the others costs more than it gives.
 /// The result does not depend on it.
@@ -62,16 +59,17 @@ int run(const CommandLine& line) {
         line.folder.empty() ? std::filesystem::path(options.name + "_run") : line.folder;
     options.quiet = line.quiet;
     const CaseSettings settings = settingsOf(scene.info, line.changes);
-    const auto figures = runScene(std::move(scene), settings, options);
+    const RunResult result = runScene(std::move(scene), settings, options);
     if (!line.quiet) {
-      std::cout << "last state:\n";
-      printFigures(figures);
+      std::cout << "last state:\n" << printed(result.figures);
+      if (!result.validation.empty())
+        std::cout << "what the case says that it must show:\n" << printed(result.validation);
       std::cout << fmt::format(
           "written to {0}: open {1}.pvd in ParaView (paraview {0}/{1}.pvd), "
           "or a .vtu in meshio\n",
           options.folder.string(), options.name);
     }
-    return exitOk;
+    return line.strict && !allOk(result.validation) ? exitFailure : exitOk;
   });
 }
 
@@ -95,7 +93,8 @@ void declare(CLI::App& app, CommandLine& line) {
       "  plenum-sph run shaft.hdf --set solver.kernel=wendland_c2_1d -o out/c2\n"
       "  plenum-sph info shaft.hdf                         what is in it, what would be modelled\n"
       "  plenum-sph help-case                              all keys that --set takes\n\n"
-      "Exit code: 0 done, 1 the input is at fault, 2 the run failed.");
+      "Exit code: 0 done, 1 the input is at fault, 2 the run failed (or, with --strict, does not\n"
+      "show all that its case says in [[validate]]).");
   app.set_version_flag("--version", fmt::format("plenum-sph {}", version));
   const auto addCommon = [&](CLI::App* command) {
     command->add_option("file", line.file, "particle file, made by plenum-ic")->required();
@@ -110,8 +109,11 @@ void declare(CLI::App& app, CommandLine& line) {
                    "threads [one for 4000 particles, at most all cores]")
       ->check(CLI::Range(1, 1024));
   runCommand->add_flag("-q,--quiet", line.quiet, "print errors only");
+  runCommand->add_flag("--strict", line.strict,
+                       "exit code 2 unless every verdict on [[validate]] is ok");
   addCommon(app.add_subcommand("info", "print what a file holds and what a run would model"));
-  app.add_subcommand("help-case", "print the keys of [solver], [output] and [measures]");
+  app.add_subcommand("help-case",
+                     "print the keys of [solver], [output], [measures] and [[validate]]");
 }
 
 int main(int argc, char** argv) {
@@ -122,7 +124,8 @@ int main(int argc, char** argv) {
   if (app.got_subcommand("help-case")) {
     std::cout << solverSection().doc("[solver]").printed()
               << outputSection().doc("[output]").printed()
-              << measureSection().doc("[measures]").printed();
+              << measureSection().doc("[measures]").printed()
+              << validateSection().doc("[[validate]]").printed();
     return exitOk;
   }
   return naming(line.file, [&] { return app.got_subcommand("run") ? run(line) : info(line); });

@@ -7,6 +7,7 @@
 #include "particles/picture.hpp"
 #include "particles/version.hpp"
 #include "particles/vtu_writer.hpp"
+#include "solver/validation_report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -77,7 +78,7 @@ void Recorder<Dim>::removeOldFiles() const {
     const bool isState =
         file.starts_with(prefix) && std::regex_match(file.substr(prefix.size()), state);
     if (isState || file == series || file == "first.png" || file == "last.png" ||
-        file == "summary.json")
+        file == "summary.json" || file == "validation.json")
       old.push_back(entry.path());
   }
   for (const fs::path& path : old) fs::remove(path);
@@ -97,10 +98,9 @@ void Recorder<Dim>::addState(const Simulation<Dim>& simulation) {
 }
 
 template <int Dim>
-const std::vector<Figure>& Recorder<Dim>::addRow(const Simulation<Dim>& simulation) {
-  row_ = measureState(simulation, settings_.measuresOrDefaults().freeSurface, wallClock());
+void Recorder<Dim>::addRow(std::vector<Figure> row) {
+  row_ = std::move(row);
   history_->add(row_);
-  return row_;
 }
 
 template <int Dim>
@@ -115,10 +115,12 @@ void Recorder<Dim>::drawFirst(const Simulation<Dim>& simulation) const {
 }
 
 template <int Dim>
-void Recorder<Dim>::finish(const Simulation<Dim>& simulation) const {
+void Recorder<Dim>::finish(const Simulation<Dim>& simulation,
+                           const std::vector<ValidationResult>& validation) const {
   draw(simulation, "last.png");
   writeParticleFile(options_.folder / (options_.name + "_end.hdf"), simulation.scene());
   writeSummary(simulation);
+  if (!validation.empty()) writeValidation(options_.folder / "validation.json", validation);
 }
 
 template <int Dim>

@@ -12,7 +12,7 @@
 namespace plenum {
 
 /// Everything that a run leaves in its folder: NAME_0000.vtu ..., NAME.pvd, history.csv,
-/// first.png, last.png, NAME_end.hdf, summary.json.
+/// first.png, last.png, NAME_end.hdf, summary.json, validation.json.
 template <int Dim>
 class Recorder {
  public:
@@ -23,10 +23,11 @@ class Recorder {
            const Simulation<Dim>& simulation);
 
   void addState(const Simulation<Dim>& simulation);  ///< the next VTU file
-  const std::vector<Figure>& addRow(
-      const Simulation<Dim>& simulation);  ///< the next row of history.csv
+  void addRow(std::vector<Figure> row);              ///< the next row of history.csv
   void drawFirst(const Simulation<Dim>& simulation) const;
-  void finish(const Simulation<Dim>& simulation) const;  ///< last picture, end file, summary
+  /// The last picture, the end file, the summary and, if the case asks for some, the verdicts.
+  void finish(const Simulation<Dim>& simulation,
+              const std::vector<ValidationResult>& validation) const;
 
   /// Writes the state as it stands when a run fails, NAME_failed.hdf and .vtu. Returns a sentence
   /// that says where it is, or why it could not be written; throws nothing.

@@ -6,10 +6,12 @@
 #include "particles/version.hpp"
 #include "solver/recorder.hpp"
 #include "solver/schedule.hpp"
+#include "solver/state_row.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 namespace plenum {
@@ -18,13 +20,11 @@ namespace {
 
 void change(CaseNode& root, const std::string& assignment) {
   const auto [key, value] = CaseNode::splitAssignment(assignment);
-  const auto belongsTo = [&](const char* section) {
-    return key.starts_with(std::string(section) + ".");
-  };
-  if (!belongsTo("solver") && !belongsTo("output") && !belongsTo("measures"))
+  const std::string section = key.substr(0, key.find_first_of(".["));
+  if (section != "solver" && section != "output" && section != "measures" && section != "validate")
     throw InputError(
-        fmt::format("--set {}: only keys of solver, output and measures can change once the "
-                    "particles are made; change the case and run plenum-ic generate again",
+        fmt::format("--set {}: only keys of solver, output, measures and validate can change once "
+                    "the particles are made; change the case and run plenum-ic generate again",
                     assignment));
   root.set(key, value);
 }
@@ -65,21 +65,29 @@ CaseSettings settingsOf(const SceneInfo<Dim>& info, const std::vector<std::strin
 }
 
 template <int Dim>
-std::vector<Figure> runScene(Scene<Dim> scene, const CaseSettings& settings,
-                             const RunOptions& options) {
+RunResult runScene(Scene<Dim> scene, const CaseSettings& settings, const RunOptions& options) {
   const SolverSettings solver = settings.solverOrDefaults();
   const OutputSettings output = settings.outputOrDefaults();
   const double start = scene.info.time;
   checkTimes(settings, start, solver.smoothingLength * scene.info.spacing);
   Simulation<Dim> simulation(std::move(scene), solver);
+  const Observers<Dim> observers(settings.measuresOrDefaults(), observed(simulation));
+  const auto firstRow = measureState(simulation, observers, 0);
+  requireDistinct(firstRow);
+  Validation validation(settings.validations, firstRow);
   Recorder<Dim> recorder(options, settings, simulation);
+  const auto addRow = [&](const std::vector<Figure>& row) {
+    recorder.addRow(row);
+    validation.addRow(row);
+  };
   if (!options.quiet) std::cout << describeModel(simulation) << std::flush;
 
   recorder.addState(simulation);
-  recorder.addRow(simulation);
+  addRow(firstRow);
   recorder.drawFirst(simulation);
   Schedule states(start, output.every, solver.endTime);
-  Schedule rows(start, output.historyEvery.value_or(output.every), solver.endTime);
+  Schedule rows(start, output.historyEvery.value_or(output.every), solver.endTime,
+                Validation::timesOf(settings.validations));
   Progress progress("run", solver.endTime - start, options.quiet);
   try {
     while (simulation.time() < solver.endTime) {
@@ -89,7 +97,7 @@ std::vector<Figure> runScene(Scene<Dim> scene, const CaseSettings& settings,
             fmt::format("t = {:.4g} s, step {}", simulation.time(), simulation.nSteps()));
       });
       if (rows.isDue(simulation.time())) {
-        recorder.addRow(simulation);
+        addRow(measureState(simulation, observers, recorder.wallClock()));
         rows.advance();
       }
       if (states.isDue(simulation.time())) {
@@ -102,17 +110,19 @@ std::vector<Figure> runScene(Scene<Dim> scene, const CaseSettings& settings,
   }
   progress.finish(fmt::format("{} steps", simulation.nSteps()));
   std::vector<std::pair<std::string, double>> figures;
-  for (const Figure& f : recorder.lastRow()) figures.emplace_back(f.name, f.value);
+  for (const Figure& f : recorder.lastRow())
+    if (!std::isnan(f.value)) figures.emplace_back(f.name, f.value);
   simulation.describeState(fmt::format("plenum-sph {}", version), std::move(figures));
-  recorder.finish(simulation);
-  return recorder.lastRow();
+  RunResult result{recorder.lastRow(), validation.evaluate()};
+  recorder.finish(simulation, result.validation);
+  return result;
 }
 
 template CaseSettings settingsOf<1>(const SceneInfo<1>&, const std::vector<std::string>&);
 template CaseSettings settingsOf<2>(const SceneInfo<2>&, const std::vector<std::string>&);
 template CaseSettings settingsOf<3>(const SceneInfo<3>&, const std::vector<std::string>&);
-template std::vector<Figure> runScene<1>(Scene<1>, const CaseSettings&, const RunOptions&);
-template std::vector<Figure> runScene<2>(Scene<2>, const CaseSettings&, const RunOptions&);
-template std::vector<Figure> runScene<3>(Scene<3>, const CaseSettings&, const RunOptions&);
+template RunResult runScene<1>(Scene<1>, const CaseSettings&, const RunOptions&);
+template RunResult runScene<2>(Scene<2>, const CaseSettings&, const RunOptions&);
+template RunResult runScene<3>(Scene<3>, const CaseSettings&, const RunOptions&);
 
 }  // namespace plenum

@@ -3,7 +3,9 @@
 
 #include "particles/case_settings.hpp"
 #include "particles/scene.hpp"
-#include "solver/state_row.hpp"
+#include "solver/figure.hpp"
+#include "solver/simulation.hpp"
+#include "solver/validation.hpp"
 
 #include <filesystem>
 #include <string>
@@ -17,18 +19,23 @@ struct RunOptions {
   bool quiet = false;
 };
 
+/// What a run that came to its end leaves to say.
+struct RunResult {
+  std::vector<Figure> figures;               ///< of the last state
+  std::vector<ValidationResult> validation;  ///< of the case's [[validate]]
+};
+
 /// Settings of the run: the case text in the particle file, changed by "key=value" pairs that may
-/// name keys of [solver], [output] and [measures] only. Throws InputError.
+/// name keys of [solver], [output], [measures] and [[validate]] only. Throws InputError.
 template <int Dim>
 CaseSettings settingsOf(const SceneInfo<Dim>& info, const std::vector<std::string>& changes);
 
 /// Runs a scene to its end time and writes VTU files, their .pvd, history.csv, summary.json,
 /// pictures of the first and the last state and the last state as a particle file. If the run
-/// fails, the last finite state is written before the RunError leaves. Returns the figures of the
-/// last state.
+/// fails, the last finite state is written before the RunError leaves. Throws InputError, before
+/// anything is written, for measures that the scene cannot have.
 template <int Dim>
-std::vector<Figure> runScene(Scene<Dim> scene, const CaseSettings& settings,
-                             const RunOptions& options);
+RunResult runScene(Scene<Dim> scene, const CaseSettings& settings, const RunOptions& options);
 
 /// What is modelled, what is not, and what a particle costs; lines for people.
 template <int Dim>

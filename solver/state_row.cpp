@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace plenum {
 
@@ -20,18 +19,20 @@ double maxSpeed(const ParticleSet<Dim>& particles) {
 }  // namespace
 
 template <int Dim>
-std::vector<Figure> measureState(const Simulation<Dim>& simulation, bool freeSurface,
-                                 double wallClock) {
-  const ParticleSet<Dim>& particles = simulation.particles();
-  const SceneInfo<Dim>& info = simulation.info();
-  const Conserved c = measureConserved(simulation);
-  const SpacingMeasures s = measureSpacing(particles, info.domain, info.spacing);
+Observed<Dim> observed(const Simulation<Dim>& simulation) {
+  return {simulation.particles(), simulation.info(), KernelId::named(simulation.settings().kernel),
+          simulation.smoothingLength(), simulation.gravity()};
+}
 
+template <int Dim>
+std::vector<Figure> measureState(const Simulation<Dim>& simulation, const Observers<Dim>& observers,
+                                 double wallClock) {
+  const Conserved c = measureConserved(simulation);
   std::vector<Figure> row{
       {"time", "s", simulation.time()},
       {"step", "", static_cast<double>(simulation.nSteps())},
       {"wall_clock", "s", wallClock},
-      {"max_speed", "m/s", maxSpeed(particles)},
+      {"max_speed", "m/s", maxSpeed(simulation.particles())},
       {"energy_kinetic", "J", c.kineticEnergy},
       {"energy_potential", "J", c.potentialEnergy},
       {"energy_compression", "J", c.compressionEnergy},
@@ -43,25 +44,25 @@ std::vector<Figure> measureState(const Simulation<Dim>& simulation, bool freeSur
     if (Dim == 3 || (Dim == 2 && a == 2))
       row.push_back(
           {std::string("angular_momentum_") + "xyz"[a], "kg m^2/s", c.angularMomentum[a]});
-  row.push_back({"nn_min", "d_ref", s.minNearest});
-  row.push_back({"nn_mean", "d_ref", s.meanNearest});
-  row.push_back({"f.1", "", s.below01});
-  row.push_back({"f.5", "", s.below05});
-  row.push_back({"f.85", "", s.below085});
-  if (Dim == 2) row.push_back({"psi6", "", s.psi6});
-  row.push_back({"void1", "", measureVoids(particles, info, freeSurface)});
-  row.push_back({"left", "", static_cast<double>(countLeft(particles, info))});
+  // Figures that only the simulation knows (loads on walls, ...) go here.
+  observers.addTo(row, observed(simulation));
   return row;
 }
 
-double valueOf(const std::vector<Figure>& figures, const std::string& name) {
-  for (const Figure& figure : figures)
-    if (figure.name == name) return figure.value;
-  throw std::out_of_range("no figure is called " + name);
+template <int Dim>
+std::vector<Figure> measureState(const Simulation<Dim>& simulation,
+                                 const MeasureSettings& measures) {
+  return measureState(simulation, Observers<Dim>(measures, observed(simulation)), 0);
 }
 
-template std::vector<Figure> measureState<1>(const Simulation<1>&, bool, double);
-template std::vector<Figure> measureState<2>(const Simulation<2>&, bool, double);
-template std::vector<Figure> measureState<3>(const Simulation<3>&, bool, double);
+template Observed<1> observed<1>(const Simulation<1>&);
+template std::vector<Figure> measureState<1>(const Simulation<1>&, const Observers<1>&, double);
+template std::vector<Figure> measureState<1>(const Simulation<1>&, const MeasureSettings&);
+template Observed<2> observed<2>(const Simulation<2>&);
+template std::vector<Figure> measureState<2>(const Simulation<2>&, const Observers<2>&, double);
+template std::vector<Figure> measureState<2>(const Simulation<2>&, const MeasureSettings&);
+template Observed<3> observed<3>(const Simulation<3>&);
+template std::vector<Figure> measureState<3>(const Simulation<3>&, const Observers<3>&, double);
+template std::vector<Figure> measureState<3>(const Simulation<3>&, const MeasureSettings&);
 
 }  // namespace plenum

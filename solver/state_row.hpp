@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/measures.hpp"
 #include "solver/conserved.hpp"
-
-#include <string>
-#include <vector>
+#include "solver/figure.hpp"
+#include "solver/measures/observers.hpp"
 
 namespace plenum {
 
-/// One named figure of a state.
-struct Figure {
-  std::string name;
-  std::string unit;
-  double value = 0;
-};
-
-/// All measures of the present state, in the order of history.csv's columns. The same list makes
-/// the summary. `wallClock` [s] is the time since the run began.
+/// What measures see of a run as it is now.
 template <int Dim>
-std::vector<Figure> measureState(const Simulation<Dim>& simulation, bool freeSurface,
+Observed<Dim> observed(const Simulation<Dim>& simulation);
+
+/// All measures of the present state, in the order of history.csv's columns: those that every run
+/// has, then those that the case names. The same list makes the summary. `wallClock` [s] is the
+/// time since the run began.
+template <int Dim>
+std::vector<Figure> measureState(const Simulation<Dim>& simulation, const Observers<Dim>& observers,
                                  double wallClock);
 
-/// The value of a named figure. Throws std::out_of_range if there is none.
-double valueOf(const std::vector<Figure>& figures, const std::string& name);
+/// The same for measures that are not kept.
+template <int Dim>
+std::vector<Figure> measureState(const Simulation<Dim>& simulation,
+                                 const MeasureSettings& measures = {});
 
 }  // namespace plenum

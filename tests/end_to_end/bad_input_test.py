@@ -130,6 +130,23 @@ class RunErrors(Programs):
         self.run_refused(["output.picture=internal_energy"], "output.picture", "does not model")
         self.run_refused(["output.picture=velocty"], "velocity")
 
+    def test_measures_that_the_scene_cannot_have(self):
+        self.run_refused(['measures.probe=[{name="p",point=[3,0]}]'], "gap.hdf",
+                         'measures.probe[0] "p"', "outside of the scene")
+        self.run_refused(['measures.gauge=[{name="h",point=[0]}]'], "measures.gauge[0]",
+                         "solver.gravity")
+        self.run_refused(['measures.volume=[{name="step",lower=[0,0],upper=[1,1]}]'],
+                         'called "step"')
+        self.run_refused(["measures.front.material=water"], "measures.front.material",
+                         "no such fluid")
+
+    def test_expectations_that_mean_nothing(self):
+        self.run_refused(['validate=[{quantity="lefft",at_most=0}]'], "validate[0].quantity",
+                         'did you mean "left"?')
+        self.run_refused(['validate=[{quantity="left",expected=0}]'], "tolerance")
+        self.refused((IC, "generate", "gap.toml", "--set", 'validate=[{quantity="left",to=1}]'),
+                     "unknown key 'to'")
+
     def test_missing_and_foreign_files(self):
         self.refused((SPH, "run", "nowhere.hdf"), "nowhere.hdf")
         self.refused((SPH, "run", "gap.toml"), "gap.toml", "plenum-ic")

@@ -43,6 +43,46 @@ class Scenes(Programs):
             self.assertIn(name, summary["measures"])
         self.assertAlmostEqual(summary["measures"]["nn_min"], float(rows[-1]["nn_min [d_ref]"]), 9)
 
+    def test_a_run_is_compared_with_what_its_case_says(self):
+        asked = ('validate=[{quantity="max_speed", time=0.013, at_most=100},'
+                 '{quantity="left", at_least=1, source="nowhere"},'
+                 '{quantity="void1", time=9, at_most=1}]')
+        out = self.run_shaft("solver.end_time=0.02", asked)
+        for text in ("max_speed at 0.013 s", "<= 100", "ok", "FAILED", "not reached", "nowhere"):
+            self.assertIn(text, out)
+        with open(self.path("out", "validation.json")) as f:
+            verdicts = json.load(f)
+        self.assertEqual([v["verdict"] for v in verdicts], ["ok", "FAILED", "not reached"])
+        self.assertIsNone(verdicts[2]["measured"])
+        with open(self.path("out", "history.csv")) as f:  # a row exactly at the time named
+            self.assertEqual([float(r["time [s]"]) for r in csv.DictReader(f)],
+                             [0, 0.01, 0.013, 0.02])
+        command = (SPH, "run", "shaft.hdf", "-q", "--strict", "--set", "solver.end_time=0.001")
+        self.assertEqual(self.start(*command, "--set", asked)[0], 2)
+        self.ok(*command, "--set", 'validate=[{quantity="left", at_most=0}]')
+
+    def test_a_run_without_expectations_leaves_no_verdicts_of_an_earlier_one(self):
+        self.run_shaft("solver.end_time=0.001")
+        self.assertTrue(os.path.exists(self.path("out", "validation.json")))
+        self.run_shaft("solver.end_time=0.001", "validate=[]")
+        self.assertFalse(os.path.exists(self.path("out", "validation.json")))
+
+    def test_measures_that_the_case_names(self):
+        self.run_shaft("solver.end_time=0.001", "validate=[]", "measures.order=false",
+                       'measures.probe=[{name="p1",point=[0.07,0]},{name="p2",point=[0,0]}]',
+                       'measures.volume=[{name="right",lower=[0,-1],upper=[1,1]}]')
+        with open(self.path("out", "history.csv")) as f:
+            row = list(csv.DictReader(f))[-1]
+        self.assertNotIn("void1", row)
+        self.assertGreater(float(row["p1_velocity_y [m/s]"]), -1)
+        self.assertEqual(row["p2_pressure [Pa m]"], "")  # inside the shaft
+        self.assertAlmostEqual(float(row["right [m^2]"]), 3.14159 * (0.1**2 - 0.04**2) / 2, 3)
+        with open(self.path("out", "summary.json")) as f:
+            summary = json.load(f)
+        self.assertIsNone(summary["measures"]["p2_pressure"])
+        self.assertEqual(summary["units"]["right"], "m^2")
+        self.ok(SPH, "info", "out/shaft_end.hdf")  # an empty figure spoils no file
+
     def test_meshio_reads_every_state_as_the_end_file_has_it(self):
         self.run_shaft("solver.end_time=0.02")
         series = ElementTree.parse(self.path("out", "shaft.pvd")).getroot().iter("DataSet")

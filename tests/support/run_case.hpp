@@ -33,7 +33,7 @@ std::vector<Figure> runCase(const std::string& caseFile, const Changes& changes)
   auto [scene, settings] = sceneOf<Dim>(caseFile, changes);
   Simulation<Dim> simulation(std::move(scene), settings.solverOrDefaults());
   simulation.advanceTo(settings.solverOrDefaults().endTime, [] {});
-  return measureState(simulation, settings.measuresOrDefaults().freeSurface, 0);
+  return measureState(simulation, settings.measuresOrDefaults());
 }
 
 }  // namespace plenum::test

@@ -189,6 +189,43 @@ TEST(Section, BoundsAreAsDeclared) {
   EXPECT_SAYS(read("axes = [\"z\"]"), "must be one of x | y");
 }
 
+struct Flock {
+  std::vector<Toy> toys;
+  std::vector<double> weights;
+};
+
+Section<Flock> flockSection() {
+  Section<Flock> section("several toys");
+  section.sections("toy", &Flock::toys, toySection())
+      .list("weights", &Flock::weights, "kg", Range::positive(), "what they weigh")
+      .condition([](const Flock& flock, const CaseNode& table, int) {
+        if (flock.weights.size() != flock.toys.size()) table.fail("needs a weight for each toy");
+      });
+  return section;
+}
+
+TEST(Section, ListsOfTablesAndOfNumbers) {
+  const auto read = [](const std::string& text) {
+    return flockSection().read(CaseNode::parse(text, "f"), 2);
+  };
+  const Flock flock = read("weights = [1, 2.5]\n[[toy]]\nsize = 1\n[[toy]]\ncount = 4\n");
+  ASSERT_EQ(flock.toys.size(), 2u);
+  EXPECT_EQ(flock.toys[0].size, 1);
+  EXPECT_EQ(flock.toys[1].count, 4);
+  EXPECT_EQ(flock.weights, (std::vector{1, 2.5}));
+  EXPECT_TRUE(read("").toys.empty());
+  const auto error = [&](const std::string& text) { return errorOf([&] { read(text); }); };
+  EXPECT_SAYS(error("[[toy]]\n[[toy]]\ncuont = 4\n"), "did you mean 'count'?");
+  EXPECT_SAYS(error("[[toy]]\n[[toy]]\ncount = 10\n"), "f:3: toy[1].count = 10: must be in");
+  EXPECT_SAYS(error("toy = 3"), "is an integer, must be a list");
+  EXPECT_SAYS(error("toy = [3]"), "is an integer, must be a table");
+  EXPECT_SAYS(error("weights = [1, 0]\n"), "weights[1] = 0: must be > 0 [kg]");
+  EXPECT_SAYS(error("weights = [1]\n"), "f:1: needs a weight for each toy");
+  const SectionDoc doc = flockSection().doc("flock");
+  EXPECT_SAYS(doc.markdown(), "### `[[flock.toy]]`");
+  EXPECT_SAYS(doc.printed(), "[[toy]]  ");
+}
+
 TEST(Section, HelpAndDocsNameEveryKey) {
   for (const std::string& text :
        {toySection().doc("toy").printed(), toySection().doc("toy").markdown()})

@@ -29,5 +29,14 @@ TEST(Schedule, RoundOffMakesNoExtraTime) {
   EXPECT_EQ(times.back(), 0.1 * 3);
 }
 
+TEST(Schedule, ExtraTimesComeBetweenTheRegularOnes) {
+  EXPECT_EQ(timesOf({0, 0.5, 2, {0.2, 0.7, 0.8}}),
+            (std::vector{0.2, 0.5, 0.7, 0.8, 1.0, 1.5, 2.0}));
+  // Before the start, after the end and on regular times they add nothing; round-off does not
+  // matter: 3 * 0.1 is a little more than 0.3.
+  EXPECT_EQ(timesOf({1, 0.5, 2, {0.5, 1, 1.5, 2, 3}}), (std::vector{1.5, 2.0}));
+  EXPECT_EQ(timesOf({0, 0.1, 0.4, {0.3}}), (std::vector{0.1, 0.2, 3 * 0.1, 0.4}));
+}
+
 }  // namespace
 }  // namespace plenum

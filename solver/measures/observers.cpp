@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/measures/observers.hpp"
+
+#include "engine/measures.hpp"
+
+#include <fmt/format.h>
+
+namespace plenum {
+
+namespace {
+
+std::string keyOf(const char* list, std::size_t k) {
+  return fmt::format("measures.{}[{}]", list, k);
+}
+
+}  // namespace
+
+template <int Dim>
+Observers<Dim>::Observers(const MeasureSettings& settings, const Observed<Dim>& start)
+    : settings_(settings) {
+  const Box<Dim> reach = reachOf(start);
+  for (std::size_t k = 0; k < settings.probes.size(); ++k)
+    probes_.emplace_back(settings.probes[k], reach, keyOf("probe", k));
+  for (std::size_t k = 0; k < settings.gauges.size(); ++k)
+    gauges_.emplace_back(settings.gauges[k], reach, start.gravity, keyOf("gauge", k));
+  if (settings.front) front_.emplace(*settings.front, start, "measures.front");
+  for (std::size_t k = 0; k < settings.volumes.size(); ++k)
+    volumes_.emplace_back(settings.volumes[k], start, keyOf("volume", k));
+  if (settings.pressureGradient)
+    pressureGradient_.emplace(*settings.pressureGradient, start, "measures.pressure_gradient");
+  if (settings.taylorGreen) taylorGreen_.emplace(*settings.taylorGreen);
+  if (settings.couette) couette_.emplace(*settings.couette);
+}
+
+template <int Dim>
+void Observers<Dim>::addOrder(std::vector<Figure>& row, const Observed<Dim>& state) const {
+  const SceneInfo<Dim>& info = state.info;
+  const SpacingMeasures s = measureSpacing(state.particles, info.domain, info.spacing);
+  row.push_back({"nn_min", "d_ref", s.minNearest});
+  row.push_back({"nn_mean", "d_ref", s.meanNearest});
+  row.push_back({"f.1", "", s.below01});
+  row.push_back({"f.5", "", s.below05});
+  row.push_back({"f.85", "", s.below085});
+  if (Dim == 2) row.push_back({"psi6", "", s.psi6});
+  row.push_back({"void1", "", measureVoids(state.particles, info, settings_.freeSurface)});
+  row.push_back({"left", "", static_cast<double>(countLeft(state.particles, info))});
+}
+
+template <int Dim>
+void Observers<Dim>::addTo(std::vector<Figure>& row, const Observed<Dim>& state) const {
+  if (settings_.order) addOrder(row, state);
+  if (!probes_.empty() || !gauges_.empty()) {
+    const Interpolation<Dim> fluid(state);
+    for (const Probe<Dim>& probe : probes_) probe.addTo(row, fluid);
+    for (const WaveGauge<Dim>& gauge : gauges_) gauge.addTo(row, fluid);
+  }
+  if (front_) front_->addTo(row, state);
+  for (const BoxVolume<Dim>& volume : volumes_) volume.addTo(row, state);
+  if (pressureGradient_) pressureGradient_->addTo(row, state);
+  if constexpr (Dim == 2) {
+    if (taylorGreen_) taylorGreen_->addTo(row, state);
+    if (couette_) couette_->addTo(row, state);
+  }
+}
+
+template class Observers<1>;
+template class Observers<2>;
+template class Observers<3>;
+
+}  // namespace plenum
