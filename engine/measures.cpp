@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace plenum {
 
@@ -203,6 +204,29 @@ std::vector<Neighbourhood> neighbourhoods(const ParticleSet<Dim>& particles, con
   return result;
 }
 
+namespace {
+
+/// The motion of the container, if it has one: that of the walls, if all move as one.
+template <int Dim>
+const RigidMotion* containerMotion(const SceneInfo<Dim>& info) {
+  if (info.walls.empty() || info.walls.front().motion.isStill()) return nullptr;
+  const RigidMotion& first = info.walls.front().motion;
+  const bool isCommon =
+      std::ranges::all_of(info.walls, [&](const Wall& wall) { return wall.motion == first; });
+  return isCommon ? &first : nullptr;
+}
+
+/// Where a point of the container at `before` [s] is at `after`.
+template <int Dim>
+auto containerMove(const SceneInfo<Dim>& info, double before, double after) {
+  std::optional<Displacement> displacement;
+  if (const RigidMotion* motion = containerMotion(info))
+    displacement.emplace(*motion, before, after);
+  return [displacement](const Vec<Dim>& x) { return displacement ? displacement->moved(x) : x; };
+}
+
+}  // namespace
+
 template <int Dim>
 double measureVoids(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info,
                     bool freeSurface) {
@@ -212,13 +236,14 @@ double measureVoids(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& inf
                                 (freeSurface ? 2 : 1) * spacing);
   const SampleGrid<Dim> grid(info.container.empty() ? info.domain : info.container.bounds(),
                              spacing / 3);
+  const auto toNow = containerMove(info, info.startTime, info.time);
   const auto sums = orderedSum<VoidSums>(grid.size, [&](std::size_t k) {
     const Vec<Dim> x = grid.point(k);
     VoidSums s;
     if (info.container.signedDistance(x) >= 0) return s;
     double nearest = std::numeric_limits<double>::infinity();
     unsigned orthants = 0;
-    search.around(x, [&](std::uint32_t, const Vec<Dim>& d, double d2) {
+    search.around(toNow(x), [&](std::uint32_t, const Vec<Dim>& d, double d2) {
       nearest = std::min(nearest, d2);
       unsigned orthant = 0;
       for (int a = 0; a < Dim; ++a) orthant |= (d[a] > 0 ? 1u : 0u) << a;
@@ -236,8 +261,10 @@ template <int Dim>
 std::size_t countLeft(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info) {
   if (info.container.empty()) return 0;
   const auto fluid = particles[field::position].first(particles.nFluid());
+  const auto toStart = containerMove(info, info.time, info.startTime);
   return orderedSum<std::size_t>(fluid.size(), [&](std::size_t i) -> std::size_t {
-    return info.container.signedDistance(info.domain.wrap(fluid[i])) > 0.5 * info.spacing;
+    const Vec<Dim> x = info.domain.wrap(toStart(fluid[i]));
+    return info.container.signedDistance(x) > 0.5 * info.spacing;
   });
 }
 

@@ -42,6 +42,8 @@ template <int Dim>
 std::vector<Neighbourhood> neighbourhoods(const ParticleSet<Dim>& particles, const Box<Dim>& domain,
                                           std::span<const double> spacing);
 
+/// The container moves with the walls, if all of them move as one.
+///
 /// void1: share of the points of a grid (spacing d_ref/3) in the container that are further than
 /// d_ref from any particle, walls included. With a free surface only those points count that have
 /// particles within 2 d_ref in all quadrants (octants in 3-D).

@@ -65,9 +65,7 @@ std::string caseText(const CaseNode& root, const std::filesystem::path& path) {
   file << in.rdbuf();
   if (in && CaseNode::parse(file.str(), path.string()).printed() == root.printed())
     return file.str();
-  std::string text = fmt::format("# {} with values set on the command line\n", path.string());
-  for (const auto& [key, node] : root.asTable()) text += key + " = " + node.printed() + "\n";
-  return text;
+  return root.printedFile(path.string() + " with values set on the command line");
 }
 
 template <int Dim>

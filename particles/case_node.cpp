@@ -89,6 +89,12 @@ CaseNode CaseNode::load(const std::filesystem::path& path) {
   return parse(text.str(), path.string());
 }
 
+std::string CaseNode::printedFile(const std::string& comment) const {
+  std::string text = "# " + comment + "\n";
+  for (const auto& [key, node] : asTable()) text += key + " = " + node.printed() + "\n";
+  return text;
+}
+
 std::string CaseNode::where() const {
   const std::string where = line_ > 0 ? fmt::format("{}:{}", *fileName_, line_) : *fileName_;
   if (path_.empty()) return where;

@@ -58,6 +58,9 @@ class CaseNode {
   /// The value as it would stand in the file, for messages.
   std::string printed() const;
 
+  /// The whole case as a file, behind a first line with a comment.
+  std::string printedFile(const std::string& comment) const;
+
   /// "file:line: key = value"; lists and tables by their key alone.
   std::string where() const;
 

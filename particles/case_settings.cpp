@@ -119,7 +119,14 @@ const Section<OutputSettings>& outputSection() {
           .number("history_every", &S::historyEvery, "s", Range::positive(),
                   "time between rows of history.csv; absent: as the VTU files")
           .texts("fields", &S::fields, "fields in the VTU files; absent: all that are modelled")
-          .text("picture", &S::picture, "field that colours the pictures");
+          .text("picture", &S::picture, "field that colours the pictures")
+          .number("checkpoint_every", &S::checkpointEvery, "s", Range::positive(),
+                  "time between checkpoints, which `plenum-sph resume` goes on from; absent: by "
+                  "checkpoint_wall_clock only")
+          .number("checkpoint_wall_clock", &S::checkpointWallClock, "s", Range::positive(),
+                  "real time between checkpoints")
+          .integer("checkpoints_kept", &S::checkpointsKept, Range::between(1, 1000),
+                   "how many of the last checkpoints are kept");
   return section;
 }
 

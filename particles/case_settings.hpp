@@ -89,10 +89,13 @@ struct SolverSettings {
 };
 
 struct OutputSettings {
-  double every = 0.1;                  ///< of VTU files [s]
-  std::optional<double> historyEvery;  ///< of rows of history.csv [s]; absent: `every`
-  std::vector<std::string> fields;     ///< empty: all state fields
-  std::string picture = "velocity";    ///< field that colours the pictures
+  double every = 0.1;                     ///< of VTU files [s]
+  std::optional<double> historyEvery;     ///< of rows of history.csv [s]; absent: `every`
+  std::vector<std::string> fields;        ///< empty: all state fields
+  std::string picture = "velocity";       ///< field that colours the pictures
+  std::optional<double> checkpointEvery;  ///< of checkpoints [s]
+  double checkpointWallClock = 600;       ///< and in real time [s]
+  int checkpointsKept = 2;
 };
 
 struct CaseSettings {

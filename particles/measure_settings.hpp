@@ -62,6 +62,7 @@ struct CouetteSettings {
 struct MeasureSettings {
   bool freeSurface = false;
   bool order = true;
+  bool loads = false;
   std::vector<ProbeSettings> probes;
   std::vector<GaugeSettings> gauges;
   std::optional<FrontSettings> front;

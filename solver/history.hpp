@@ -13,8 +13,14 @@ namespace plenum {
 /// as it is added, so that a run can be watched and a killed one leaves what it had.
 class History {
  public:
-  /// Throws RunError if the file cannot be written.
+  /// A new file. Throws RunError if it cannot be written.
   explicit History(std::filesystem::path path);
+  /// Goes on with the file, if there is one: the rows until `time` [s] are kept, what comes after
+  /// them is dropped. Throws RunError.
+  History(std::filesystem::path path, double time);
+
+  /// The rows that were kept.
+  const std::vector<std::vector<Figure>>& earlierRows() const { return earlier_; }
 
   /// All rows must have the same figures; those that are NaN leave an empty cell.
   void add(const std::vector<Figure>& figures);
@@ -22,7 +28,8 @@ class History {
  private:
   std::filesystem::path path_;
   std::ofstream out_;
-  bool hasHeader_ = false;
+  std::string header_;  // "" until the first row
+  std::vector<std::vector<Figure>> earlier_;
 };
 
 }  // namespace plenum

@@ -6,6 +6,7 @@
 #include "particles/errors.hpp"
 #include "particles/particle_file.hpp"
 #include "particles/version.hpp"
+#include "solver/checkpoints.hpp"
 #include "solver/run.hpp"
 #include "solver/simulation.hpp"
 #include "solver/validation_report.hpp"
@@ -14,6 +15,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 
 namespace plenum {
@@ -26,6 +28,7 @@ struct CommandLine {
   std::vector<std::string> changes;
   int threads = 0;
   bool quiet = false;
+  bool anew = false;
   bool strict = false;
 };
 
@@ -50,31 +53,47 @@ int naming(const std::filesystem::path& file, Body&& body) {
   }
 }
 
-int run(const CommandLine& line) {
+void say(const RunResult& result, const RunOptions& options) {
+  std::cout << "last state:\n" << printed(result.figures);
+  if (!result.validation.empty())
+    std::cout << "what the case says that it must show:\n" << printed(result.validation);
+  std::cout << fmt::format(
+      "written to {0}: open {1}.pvd in ParaView (paraview {0}/{1}.pvd), "
+      "or a .vtu in meshio\n",
+      options.folder.string(), options.name);
+}
+
+/// Begins a run, or goes on with one that stopped.
+int run(const CommandLine& line, bool isContinued) {
   return withParticleFile(line.file, [&](auto scene) {
+    if (isContinued && scene.info.progress.empty())
+      throw InputError("is no checkpoint and no end of a run; begin one with `plenum-sph run`");
+    if (!isContinued) scene.info.progress.clear();
     omp_set_num_threads(threadsFor(line.threads, scene.particles.size()));
     RunOptions options;
-    options.name = line.file.stem().string();
-    options.folder =
-        line.folder.empty() ? std::filesystem::path(options.name + "_run") : line.folder;
+    options.name = isContinued ? Checkpoints::runNameOf(line.file) : line.file.stem().string();
+    options.folder = line.folder;
+    if (options.folder.empty())
+      options.folder = isContinued ? std::filesystem::absolute(line.file).parent_path()
+                                   : std::filesystem::path(options.name + "_run");
     options.quiet = line.quiet;
-    const CaseSettings settings = settingsOf(scene.info, line.changes);
+    options.anew = line.anew;
+    const CaseSettings settings = settingsOf(scene.info, line.changes, isContinued);
     const RunResult result = runScene(std::move(scene), settings, options);
-    if (!line.quiet) {
-      std::cout << "last state:\n" << printed(result.figures);
-      if (!result.validation.empty())
-        std::cout << "what the case says that it must show:\n" << printed(result.validation);
-      std::cout << fmt::format(
-          "written to {0}: open {1}.pvd in ParaView (paraview {0}/{1}.pvd), "
-          "or a .vtu in meshio\n",
-          options.folder.string(), options.name);
+    if (result.signal != 0) {
+      std::cout << fmt::format("stopped by {}; go on with: plenum-sph resume {}\n",
+                               result.signal == SIGINT ? "SIGINT" : "SIGTERM",
+                               result.checkpoint.string());
+      return static_cast<int>(128 + result.signal);
     }
-    return line.strict && !allOk(result.validation) ? exitFailure : exitOk;
+    if (!line.quiet) say(result, options);
+    return static_cast<int>(line.strict && !allOk(result.validation) ? exitFailure : exitOk);
   });
 }
 
 int info(const CommandLine& line) {
   return withParticleFile(line.file, [&](auto scene) {
+    scene.info.progress.clear();
     const CaseSettings settings = settingsOf(scene.info, line.changes);
     std::cout << fmt::format("{}\nmade by {} from {}, t = {:g} s\n", scene.info.title,
                              scene.info.generator, scene.info.caseName, scene.info.time);
@@ -91,27 +110,42 @@ void declare(CLI::App& app, CommandLine& line) {
       "plenum-sph runs the particles of a particle file.\n\n"
       "  plenum-sph run shaft.hdf                          as the case says\n"
       "  plenum-sph run shaft.hdf --set solver.kernel=wendland_c2_1d -o out/c2\n"
+      "  plenum-sph resume shaft_run                       goes on from the last checkpoint "
+      "there,\n"
+      "                                                    with the bits of a run without a stop\n"
       "  plenum-sph info shaft.hdf                         what is in it, what would be modelled\n"
       "  plenum-sph help-case                              all keys that --set takes\n\n"
       "Exit code: 0 done, 1 the input is at fault, 2 the run failed (or, with --strict, does not\n"
-      "show all that its case says in [[validate]]).");
+      "show all that its case says in [[validate]]). SIGINT and SIGTERM (130, 143) let a run write "
+      "a\n"
+      "checkpoint and end; a second one ends it at once.");
   app.set_version_flag("--version", fmt::format("plenum-sph {}", version));
-  const auto addCommon = [&](CLI::App* command) {
-    command->add_option("file", line.file, "particle file, made by plenum-ic")->required();
+  const auto addCommon = [&](CLI::App* command, const char* what) {
+    command->add_option("file", line.file, what)->required();
     command->add_option("--set", line.changes, "change a key of the case: section.key=value")
         ->allow_extra_args(false);
   };
+  constexpr const char* particleFile = "particle file, made by plenum-ic";
   CLI::App* runCommand = app.add_subcommand("run", "run to the end time");
-  addCommon(runCommand);
+  CLI::App* resumeCommand = app.add_subcommand(
+      "resume", "go on with a run that was stopped, or to a later solver.end_time");
+  addCommon(runCommand, particleFile);
+  addCommon(resumeCommand, "checkpoint, end file, or a folder with checkpoints of one run");
   runCommand->add_option("-o,--output", line.folder, "folder for all output [FILE's name + _run]");
-  runCommand
-      ->add_option("-j,--threads", line.threads,
-                   "threads [one for 4000 particles, at most all cores]")
-      ->check(CLI::Range(1, 1024));
-  runCommand->add_flag("-q,--quiet", line.quiet, "print errors only");
-  runCommand->add_flag("--strict", line.strict,
-                       "exit code 2 unless every verdict on [[validate]] is ok");
-  addCommon(app.add_subcommand("info", "print what a file holds and what a run would model"));
+  runCommand->add_flag("--anew", line.anew,
+                       "begin again where the folder holds checkpoints of a run without an end");
+  resumeCommand->add_option("-o,--output", line.folder, "folder for all output [that of FILE]");
+  for (CLI::App* command : {runCommand, resumeCommand}) {
+    command
+        ->add_option("-j,--threads", line.threads,
+                     "threads [one for 4000 particles, at most all cores]")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("-q,--quiet", line.quiet, "print errors only");
+    command->add_flag("--strict", line.strict,
+                      "exit code 2 unless every verdict on [[validate]] is ok");
+  }
+  addCommon(app.add_subcommand("info", "print what a file holds and what a run would model"),
+            particleFile);
   app.add_subcommand("help-case",
                      "print the keys of [solver], [output], [measures] and [[validate]]");
 }
@@ -128,7 +162,11 @@ int main(int argc, char** argv) {
               << validateSection().doc("[[validate]]").printed();
     return exitOk;
   }
-  return naming(line.file, [&] { return app.got_subcommand("run") ? run(line) : info(line); });
+  const bool isContinued = app.got_subcommand("resume");
+  if (isContinued && std::filesystem::is_directory(line.file))
+    line.file = Checkpoints::newestIn(line.file);
+  return naming(line.file,
+                [&] { return app.got_subcommand("info") ? info(line) : run(line, isContinued); });
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cctype>
 #include <regex>
 
 namespace plenum {
@@ -36,63 +37,99 @@ FieldId modelledField(const std::string& name, const char* key, const ParticleSe
                                near.empty() ? "" : "; did you mean \"" + near + "\"?"));
 }
 
+/// The fields in VTU files.
 template <int Dim>
-std::optional<FieldSet> outputFields(const OutputSettings& output,
-                                     const ParticleSet<Dim>& particles) {
+FieldSet outputFields(const OutputSettings& output, const ParticleSet<Dim>& particles) {
   modelledField(output.picture, "output.picture", particles);
-  if (output.fields.empty()) return std::nullopt;
   FieldSet fields;
   for (const std::string& name : output.fields)
     fields |= {modelledField(name, "output.fields", particles)};
-  return fields;
+  if (!output.fields.empty()) return fields;
+  particles.forEachField([&](const FieldInfo& info, auto) {
+    if (info.isState) fields |= {info.id};
+  });
+  // Where walls stood at the start is of use to the run only.
+  return fields.without({field::referencePosition, field::referenceNormal});
 }
 
 }  // namespace
 
 template <int Dim>
 Recorder<Dim>::Recorder(const RunOptions& options, const CaseSettings& settings,
-                        const Simulation<Dim>& simulation)
+                        const Simulation<Dim>& simulation, const std::vector<double>& stateTimes)
     : options_(options),
       settings_(settings),
       fields_(outputFields(settings.outputOrDefaults(), simulation.particles())),
-      series_(options.folder / (options.name + ".pvd")) {
+      series_(options.folder / (options.name + ".pvd")),
+      nStates_(stateTimes.size()),
+      earlierSteps_(simulation.nSteps()) {
   std::error_code error;
   fs::create_directories(options_.folder, error);
   if (error)
     throw RunError(fmt::format("{}: cannot be made: {}; choose another folder with --output",
                                options_.folder.string(), error.message()));
-  removeOldFiles();
-  history_.emplace(options_.folder / "history.csv");
+  const fs::path history = options_.folder / "history.csv";
+  removeOldFiles(simulation.isContinued(), nStates_);
+  if (!simulation.isContinued()) {
+    history_.emplace(history);
+    return;
+  }
+  history_.emplace(history, simulation.time());
+  if (!earlierRows().empty()) {
+    row_ = earlierRows().back();
+    earlierWallClock_ = valueOf(row_, "wall_clock");
+  }
+  for (std::size_t k = 0; k < nStates_; ++k)
+    if (fs::exists(stateFile(k))) series_.add(stateTimes[k], stateFile(k));
 }
 
 template <int Dim>
-void Recorder<Dim>::removeOldFiles() const {
+void Recorder<Dim>::removeOldFiles(bool isContinued, std::size_t nStates) const {
   const std::string prefix = options_.name + "_", series = options_.name + ".pvd";
   const std::regex state(R"((\d{4,}\.vtu|end\.hdf|failed\.(hdf|vtu))(\.\d+\.tmp)?)");
+  const std::regex checkpoint(R"(checkpoint_\d+\.hdf)");
   std::vector<fs::path> old;
+  bool hasCheckpoints = false, hasEnded = false;
   for (const auto& entry : fs::directory_iterator(options_.folder)) {
     const std::string file = entry.path().filename().string();
     if (entry.path().extension() == ".pvd" && file != series)
       throw InputError(fmt::format("{}: holds the run {} already; choose another with --output",
                                    options_.folder.string(), file));
-    const bool isState =
-        file.starts_with(prefix) && std::regex_match(file.substr(prefix.size()), state);
-    if (isState || file == series || file == "first.png" || file == "last.png" ||
-        file == "summary.json" || file == "validation.json")
+    const std::string rest = file.starts_with(prefix) ? file.substr(prefix.size()) : "";
+    const bool isCheckpoint = std::regex_match(rest, checkpoint);
+    hasCheckpoints = hasCheckpoints || isCheckpoint;
+    hasEnded = hasEnded || rest == "end.hdf" || rest == "failed.hdf";
+    if (isCheckpoint && isContinued) continue;
+    if (std::regex_match(rest, state) && isContinued && rest.ends_with(".vtu") &&
+        std::isdigit(static_cast<unsigned char>(rest.front())) != 0 && std::stoul(rest) < nStates)
+      continue;
+    const bool isPicture = file == "first.png" && !isContinued;
+    if (std::regex_match(rest, state) || isCheckpoint || file == series || isPicture ||
+        file == "last.png" || file == "summary.json" || file == "validation.json")
       old.push_back(entry.path());
   }
+  if (hasCheckpoints && !hasEnded && !isContinued && !options_.anew)
+    throw InputError(fmt::format(
+        "{0}: holds the checkpoints of a run that has not come to its end; go on with it by "
+        "`plenum-sph resume {0}`, choose another folder with --output, or begin again with --anew",
+        options_.folder.string()));
   for (const fs::path& path : old) fs::remove(path);
 }
 
 template <int Dim>
+fs::path Recorder<Dim>::stateFile(std::size_t number) const {
+  return options_.folder / fmt::format("{}_{:04}.vtu", options_.name, number);
+}
+
+template <int Dim>
 double Recorder<Dim>::wallClock() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  return earlierWallClock_ +
+         std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
 template <int Dim>
 void Recorder<Dim>::addState(const Simulation<Dim>& simulation) {
-  const fs::path file =
-      options_.folder / fmt::format("{}_{:04}.vtu", options_.name, series_.size());
+  const fs::path file = stateFile(nStates_++);
   writeVtu(file, simulation.particles(), {simulation.time(), fields_});
   series_.add(simulation.time(), file);
 }
@@ -146,8 +183,8 @@ void Recorder<Dim>::writeSummary(const Simulation<Dim>& simulation) const {
     if (!f.unit.empty()) units[f.name] = f.unit;
   }
   particles.forEachField([&](const FieldInfo& info, auto) { fields.push_back(info.name); });
-  const double updates =
-      static_cast<double>(simulation.nSteps()) * static_cast<double>(particles.nFluid());
+  const double updates = static_cast<double>(simulation.nSteps() - earlierSteps_) *
+                         static_cast<double>(particles.nFluid());
   const Json summary{
       {"title", simulation.info().title},
       {"case", simulation.info().caseName},
@@ -157,11 +194,13 @@ void Recorder<Dim>::writeSummary(const Simulation<Dim>& simulation) const {
       {"wall_particles", particles.nWalls()},
       {"kernel", simulation.settings().kernel},
       {"smoothing_length_over_spacing", simulation.settings().smoothingLength},
+      {"steps", simulation.nSteps()},
+      {"wall_clock", wallClock()},
       {"measures", figures},
       {"units", units},
       {"fields", fields},
       {"bytes_per_particle", simulation.bytesPerParticle()},
-      {"updates_per_second", updates / wallClock()},
+      {"updates_per_second", updates / (wallClock() - earlierWallClock_)},
   };
   writeTextFile(options_.folder / "summary.json", summary.dump(2) + "\n");
 }

@@ -12,15 +12,21 @@
 namespace plenum {
 
 /// Everything that a run leaves in its folder: NAME_0000.vtu ..., NAME.pvd, history.csv,
-/// first.png, last.png, NAME_end.hdf, summary.json, validation.json.
+/// first.png, last.png, NAME_end.hdf, summary.json, validation.json; checkpoints are not its
+/// business.
 template <int Dim>
 class Recorder {
  public:
-  /// Makes the folder and removes what an earlier run of this name left there. Throws InputError
-  /// for output settings that name unknown fields or fields that the run does not model, and for a
-  /// folder that holds a run of another name.
+  /// Makes the folder and removes what an earlier run of this name left there; of a run that goes
+  /// on, what came after the simulation's time. `stateTimes` are those of the VTU files that the
+  /// run has written until then [s]. Throws InputError for output settings that name unknown fields
+  /// or fields that the run does not model, and for a folder that holds a run of another name or
+  /// the checkpoints of one that has not come to its end.
   Recorder(const RunOptions& options, const CaseSettings& settings,
-           const Simulation<Dim>& simulation);
+           const Simulation<Dim>& simulation, const std::vector<double>& stateTimes);
+
+  /// Rows of history.csv from before the run was stopped.
+  const std::vector<std::vector<Figure>>& earlierRows() const { return history_->earlierRows(); }
 
   void addState(const Simulation<Dim>& simulation);  ///< the next VTU file
   void addRow(std::vector<Figure> row);              ///< the next row of history.csv
@@ -37,16 +43,20 @@ class Recorder {
   double wallClock() const;  ///< since the run began [s]
 
  private:
-  void removeOldFiles() const;
+  void removeOldFiles(bool isContinued, std::size_t nStates) const;
+  std::filesystem::path stateFile(std::size_t number) const;
   void draw(const Simulation<Dim>& simulation, const std::string& fileName) const;
   void writeSummary(const Simulation<Dim>& simulation) const;
 
   RunOptions options_;
   CaseSettings settings_;
-  std::optional<FieldSet> fields_;
+  FieldSet fields_;
   PvdSeries series_;
+  std::size_t nStates_ = 0;  // VTU files written
   std::optional<History> history_;
   std::vector<Figure> row_;
+  double earlierWallClock_ = 0;  // until the run was stopped [s]
+  long earlierSteps_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -4,123 +4,184 @@
 #include "particles/errors.hpp"
 #include "particles/progress.hpp"
 #include "particles/version.hpp"
+#include "solver/checkpoints.hpp"
 #include "solver/recorder.hpp"
 #include "solver/schedule.hpp"
 #include "solver/state_row.hpp"
+#include "solver/stop_request.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iostream>
+#include <optional>
 
 namespace plenum {
 
 namespace {
 
-void change(CaseNode& root, const std::string& assignment) {
-  const auto [key, value] = CaseNode::splitAssignment(assignment);
-  const std::string section = key.substr(0, key.find_first_of(".["));
-  if (section != "solver" && section != "output" && section != "measures" && section != "validate")
-    throw InputError(
-        fmt::format("--set {}: only keys of solver, output, measures and validate can change once "
-                    "the particles are made; change the case and run plenum-ic generate again",
-                    assignment));
-  root.set(key, value);
-}
+/// A run from its first state, or from where it stopped, to its end.
+template <int Dim>
+class Run {
+ public:
+  Run(Scene<Dim> scene, const CaseSettings& settings, const RunOptions& options)
+      : settings_(settings),
+        options_(options),
+        solver_(settings.solverOrDefaults()),
+        output_(settings.outputOrDefaults()),
+        simulation_(std::move(scene), solver_, settings.measuresOrDefaults().loads),
+        observers_(settings.measuresOrDefaults(), observed(simulation_)),
+        states_(simulation_.runStart(), output_.every, solver_.endTime),
+        rows_(simulation_.runStart(), output_.historyEvery.value_or(output_.every), solver_.endTime,
+              Validation::timesOf(settings.validations)),
+        checkpoints_(options.folder, options.name, output_.checkpointsKept) {
+    if (output_.checkpointEvery)
+      pauses_.emplace(simulation_.runStart(), *output_.checkpointEvery, solver_.endTime);
+  }
 
-/// Refuses times that cannot be meant; warns of a fixed step that is likely too long.
-void checkTimes(const CaseSettings& settings, double start, double h) {
-  const SolverSettings solver = settings.solverOrDefaults();
-  const OutputSettings output = settings.outputOrDefaults();
-  const double duration = solver.endTime - start;
-  if (duration < 0)
-    throw InputError(fmt::format("solver.end_time = {:g} s lies before the state's time {:g} s",
-                                 solver.endTime, start));
-  const auto requireFew = [&](const char* key, double interval, double most, const char* what) {
-    if (duration / interval > most)
-      throw InputError(
-          fmt::format("{} = {:g} s would make {:g} {} until {:g} s; at most {:g} are "
-                      "allowed",
-                      key, interval, duration / interval, what, solver.endTime, most));
-  };
-  requireFew("output.every", output.every, 1e5, "files");
-  requireFew("output.history_every", output.historyEvery.value_or(output.every), 1e7, "rows");
-  const double acoustic = h / solver.soundSpeed;
-  requireFew("solver.time_step", solver.timeStep.value_or(solver.cfl * acoustic), 1e12, "steps");
-  if (solver.timeStep && *solver.timeStep > acoustic)
-    std::cerr << fmt::format(
-        "plenum-sph: warning: solver.time_step = {:g} s is longer than h/c = "
-        "{:g} s; a stable step is about {:g} s\n",
-        *solver.timeStep, acoustic, 0.2 * acoustic);
-}
+  RunResult operator()() {
+    begin();
+    const StopRequest stopRequest;
+    Progress progress("run", solver_.endTime - simulation_.runStart(), options_.quiet);
+    try {
+      while (simulation_.time() < solver_.endTime) {
+        simulation_.advanceTo(nextTime(), [&] { return mayGoOn(progress); });
+        serveDueTimes();
+        if (mayStop()) return stopped();
+      }
+    } catch (const std::exception& error) {
+      throw RunError(std::string(error.what()) + "; " + recorder_->saveFailed(simulation_) +
+                     hintOfCheckpoints());
+    }
+    progress.finish(fmt::format("{} steps", simulation_.nSteps()));
+    return finished();
+  }
+
+ private:
+  void begin() {
+    const std::vector<double> stateTimes = servedStateTimes();
+    if (simulation_.isContinued()) {
+      rows_.skipTo(simulation_.time());
+      if (pauses_) pauses_->skipTo(simulation_.time());
+    }
+    const std::vector<Figure> row = measureState(simulation_, observers_, 0);
+    requireDistinct(row);
+    validation_.emplace(settings_.validations, row);
+    recorder_.emplace(options_, settings_, simulation_, stateTimes);
+    if (!options_.quiet) std::cout << describeModel(simulation_) << std::flush;
+    for (const auto& earlier : recorder_->earlierRows()) validation_->addRow(earlier);
+    if (simulation_.isContinued()) return;
+    recorder_->addState(simulation_);
+    addRow(row);
+    recorder_->drawFirst(simulation_);
+  }
+
+  /// Times of the VTU files that a run that goes on has written; its schedule goes on after them.
+  std::vector<double> servedStateTimes() {
+    std::vector<double> times;
+    if (!simulation_.isContinued()) return times;
+    times.push_back(simulation_.runStart());
+    for (; states_.isDue(simulation_.time()); states_.advance()) times.push_back(states_.next());
+    return times;
+  }
+
+  double nextTime() const {
+    const double next = std::min(states_.next(), rows_.next());
+    return pauses_ ? std::min(next, pauses_->next()) : next;
+  }
+
+  void addRow(const std::vector<Figure>& row) {
+    recorder_->addRow(row);
+    validation_->addRow(row);
+    simulation_.restartWallLoads();
+  }
+
+  void serveDueTimes() {
+    const double time = simulation_.time();
+    if (rows_.isDue(time)) {
+      addRow(measureState(simulation_, observers_, recorder_->wallClock()));
+      rows_.advance();
+    }
+    if (states_.isDue(time)) {
+      recorder_->addState(simulation_);
+      states_.advance();
+    }
+    if (pauses_ && pauses_->isDue(time)) {
+      pauses_->advance();
+      simulation_.preparePause();
+      writeCheckpoint();
+    }
+  }
+
+  /// After each step: whether the run goes on to the next due time.
+  bool mayGoOn(Progress& progress) {
+    progress.update(simulation_.time() - simulation_.runStart(),
+                    fmt::format("t = {:.4g} s, step {}", simulation_.time(), simulation_.nSteps()));
+    if (simulation_.time() >= nextTime()) return true;  // what is due is served first
+    if (mayStop()) return false;
+    if (isCheckpointDue() && simulation_.mayPause()) writeCheckpoint();
+    return true;
+  }
+
+  bool mayStop() const { return StopRequest::signal() != 0 && simulation_.mayPause(); }
+
+  bool isCheckpointDue() const {
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - lastCheckpoint_;
+    return since.count() > output_.checkpointWallClock;
+  }
+
+  std::filesystem::path writeCheckpoint() {
+    lastCheckpoint_ = std::chrono::steady_clock::now();
+    return checkpoints_.write(simulation_);
+  }
+
+  RunResult stopped() {
+    RunResult result{recorder_->lastRow(), {}, StopRequest::signal(), writeCheckpoint()};
+    return result;
+  }
+
+  RunResult finished() {
+    std::vector<std::pair<std::string, double>> figures;
+    for (const Figure& f : recorder_->lastRow())  // the file is the same however long it took
+      if (!std::isnan(f.value) && f.name != "wall_clock") figures.emplace_back(f.name, f.value);
+    simulation_.preparePause();
+    simulation_.notePause();
+    simulation_.describeState(fmt::format("plenum-sph {}", version), std::move(figures));
+    RunResult result{recorder_->lastRow(), validation_->evaluate(), 0, {}};
+    recorder_->finish(simulation_, result.validation);
+    return result;
+  }
+
+  std::string hintOfCheckpoints() const {
+    const auto files = checkpoints_.all();
+    return files.empty() ? "" : "; the last checkpoint is " + files.back().string();
+  }
+
+  CaseSettings settings_;
+  RunOptions options_;
+  SolverSettings solver_;
+  OutputSettings output_;
+  Simulation<Dim> simulation_;
+  Observers<Dim> observers_;
+  Schedule states_, rows_;
+  std::optional<Schedule> pauses_;
+  Checkpoints checkpoints_;
+  std::chrono::steady_clock::time_point lastCheckpoint_ = std::chrono::steady_clock::now();
+  std::optional<Validation> validation_;
+  std::optional<Recorder<Dim>> recorder_;
+};
 
 }  // namespace
 
 template <int Dim>
-CaseSettings settingsOf(const SceneInfo<Dim>& info, const std::vector<std::string>& changes) {
-  CaseNode root = CaseNode::parse(info.caseText, info.caseName);
-  for (const std::string& assignment : changes) change(root, assignment);
-  return readCase(root);
-}
-
-template <int Dim>
 RunResult runScene(Scene<Dim> scene, const CaseSettings& settings, const RunOptions& options) {
   const SolverSettings solver = settings.solverOrDefaults();
-  const OutputSettings output = settings.outputOrDefaults();
-  const double start = scene.info.time;
-  checkTimes(settings, start, solver.smoothingLength * scene.info.spacing);
-  Simulation<Dim> simulation(std::move(scene), solver);
-  const Observers<Dim> observers(settings.measuresOrDefaults(), observed(simulation));
-  const auto firstRow = measureState(simulation, observers, 0);
-  requireDistinct(firstRow);
-  Validation validation(settings.validations, firstRow);
-  Recorder<Dim> recorder(options, settings, simulation);
-  const auto addRow = [&](const std::vector<Figure>& row) {
-    recorder.addRow(row);
-    validation.addRow(row);
-  };
-  if (!options.quiet) std::cout << describeModel(simulation) << std::flush;
-
-  recorder.addState(simulation);
-  addRow(firstRow);
-  recorder.drawFirst(simulation);
-  Schedule states(start, output.every, solver.endTime);
-  Schedule rows(start, output.historyEvery.value_or(output.every), solver.endTime,
-                Validation::timesOf(settings.validations));
-  Progress progress("run", solver.endTime - start, options.quiet);
-  try {
-    while (simulation.time() < solver.endTime) {
-      simulation.advanceTo(std::min(states.next(), rows.next()), [&] {
-        progress.update(
-            simulation.time() - start,
-            fmt::format("t = {:.4g} s, step {}", simulation.time(), simulation.nSteps()));
-      });
-      if (rows.isDue(simulation.time())) {
-        addRow(measureState(simulation, observers, recorder.wallClock()));
-        rows.advance();
-      }
-      if (states.isDue(simulation.time())) {
-        recorder.addState(simulation);
-        states.advance();
-      }
-    }
-  } catch (const std::exception& error) {
-    throw RunError(std::string(error.what()) + "; " + recorder.saveFailed(simulation));
-  }
-  progress.finish(fmt::format("{} steps", simulation.nSteps()));
-  std::vector<std::pair<std::string, double>> figures;
-  for (const Figure& f : recorder.lastRow())
-    if (!std::isnan(f.value)) figures.emplace_back(f.name, f.value);
-  simulation.describeState(fmt::format("plenum-sph {}", version), std::move(figures));
-  RunResult result{recorder.lastRow(), validation.evaluate()};
-  recorder.finish(simulation, result.validation);
-  return result;
+  checkTimes(settings, scene.info.time, solver.smoothingLength * scene.info.spacing);
+  return Run<Dim>(std::move(scene), settings, options)();
 }
 
-template CaseSettings settingsOf<1>(const SceneInfo<1>&, const std::vector<std::string>&);
-template CaseSettings settingsOf<2>(const SceneInfo<2>&, const std::vector<std::string>&);
-template CaseSettings settingsOf<3>(const SceneInfo<3>&, const std::vector<std::string>&);
 template RunResult runScene<1>(Scene<1>, const CaseSettings&, const RunOptions&);
 template RunResult runScene<2>(Scene<2>, const CaseSettings&, const RunOptions&);
 template RunResult runScene<3>(Scene<3>, const CaseSettings&, const RunOptions&);

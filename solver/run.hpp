@@ -17,23 +17,33 @@ struct RunOptions {
   std::filesystem::path folder;  ///< where everything is written
   std::string name;              ///< of the scene, first part of file names
   bool quiet = false;
+  bool anew = false;  ///< begins again where the folder holds checkpoints of a run without an end
 };
 
-/// What a run that came to its end leaves to say.
+/// What a run leaves to say.
 struct RunResult {
   std::vector<Figure> figures;               ///< of the last state
   std::vector<ValidationResult> validation;  ///< of the case's [[validate]]
+  int signal = 0;                            ///< that it was stopped by; 0: it came to its end
+  std::filesystem::path checkpoint;          ///< where a stopped run goes on from
 };
 
 /// Settings of the run: the case text in the particle file, changed by "key=value" pairs that may
-/// name keys of [solver], [output], [measures] and [[validate]] only. Throws InputError.
+/// name keys of [solver], [output], [measures] and [[validate]] only; of a run that is continued,
+/// no key of [solver] but end_time. The changes become part of the case text. Throws InputError.
 template <int Dim>
-CaseSettings settingsOf(const SceneInfo<Dim>& info, const std::vector<std::string>& changes);
+CaseSettings settingsOf(SceneInfo<Dim>& info, const std::vector<std::string>& changes,
+                        bool isContinued = false);
+
+/// Refuses times that cannot be meant; warns of a fixed step that is likely too long. `start` is
+/// the time of the state [s], h the smoothing length [m].
+void checkTimes(const CaseSettings& settings, double start, double h);
 
 /// Runs a scene to its end time and writes VTU files, their .pvd, history.csv, summary.json,
-/// pictures of the first and the last state and the last state as a particle file. If the run
-/// fails, the last finite state is written before the RunError leaves. Throws InputError, before
-/// anything is written, for measures that the scene cannot have.
+/// pictures of the first and the last state, checkpoints, and the last state as a particle file. A
+/// scene with progress (a checkpoint) goes on with its run. SIGINT and SIGTERM end the run with a
+/// checkpoint. If the run fails, the last finite state is written before the RunError leaves.
+/// Throws InputError, before anything is written, for measures that the scene cannot have.
 template <int Dim>
 RunResult runScene(Scene<Dim> scene, const CaseSettings& settings, const RunOptions& options);
 

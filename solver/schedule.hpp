@@ -34,6 +34,11 @@ class Schedule {
     skipExtraUntil(served);
   }
 
+  /// All times until `time` have been served.
+  void skipTo(double time) {
+    while (isDue(time)) advance();
+  }
+
  private:
   double roundOff() const { return 1e-9 * every_; }
   double nextRegular() const {

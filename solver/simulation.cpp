@@ -180,14 +180,6 @@ void Simulation<Dim>::notePause() {
 }
 
 template <int Dim>
-std::vector<WallLoad> Simulation<Dim>::takeWallLoads() {
-  if (!measuresLoads_) return {};
-  std::vector<WallLoad> loads = wallLoads_.means();
-  wallLoads_.restart();
-  return loads;
-}
-
-template <int Dim>
 void Simulation<Dim>::step(double dt) {
   requireStable(dt);
   if (nSteps_ > 0 && mayPause()) engine_.forget();

@@ -35,9 +35,10 @@ class Simulation {
   void step(double dt);
 
   /// Steps until `target` [s] is met exactly, in steps of equal length where the step is fixed.
-  /// Calls `afterStep()` after every step.
+  /// Calls `afterStep()` after every step; if it returns false, that was the last one. Returns
+  /// whether the target is met.
   template <class AfterStep>
-  void advanceTo(double target, AfterStep&& afterStep);
+  bool advanceTo(double target, AfterStep&& afterStep);
 
   /// cfl min(h/(c + |v|), sqrt(h/|a|)) over all fluid particles, at most h^2/(8 nu) (Morris et al.
   /// 1997), or the fixed step of the case [s]. Throws RunError if it has become senselessly small.
@@ -71,9 +72,12 @@ class Simulation {
   double runStart() const { return runStart_; }
   bool isContinued() const { return isContinued_; }
 
-  /// Mean loads of the walls since the last call; nothing if they are not measured.
-  std::vector<WallLoad> takeWallLoads();
   bool measuresLoads() const { return measuresLoads_; }
+  /// Mean loads of the walls since `restartWallLoads` was called; empty if they are not measured.
+  std::vector<WallLoad> wallLoads() const {
+    return measuresLoads_ ? wallLoads_.means() : std::vector<WallLoad>{};
+  }
+  void restartWallLoads() { wallLoads_.restart(); }
 
   double bytesPerParticle() const;
 
@@ -133,7 +137,7 @@ class Simulation {
 
 template <int Dim>
 template <class AfterStep>
-void Simulation<Dim>::advanceTo(double target, AfterStep&& afterStep) {
+bool Simulation<Dim>::advanceTo(double target, AfterStep&& afterStep) {
   while (time() < target) {
     // The remaining time in equal steps: the last one is never a tiny rest.
     const double steps = std::ceil((target - time()) / maxTimeStep() - 1e-9);
@@ -143,8 +147,13 @@ void Simulation<Dim>::advanceTo(double target, AfterStep&& afterStep) {
     } else {
       step((target - time()) / steps);
     }
-    afterStep();
+    if constexpr (std::is_same_v<decltype(afterStep()), bool>) {
+      if (!afterStep()) return time() >= target;
+    } else {
+      afterStep();
+    }
   }
+  return true;
 }
 
 extern template class Simulation<1>;

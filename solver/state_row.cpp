@@ -16,6 +16,20 @@ double maxSpeed(const ParticleSet<Dim>& particles) {
   return std::sqrt(squared);
 }
 
+/// Mean loads of the walls.
+template <int Dim>
+void addLoads(std::vector<Figure>& row, const Simulation<Dim>& simulation) {
+  const std::vector<WallLoad> loads = simulation.wallLoads();
+  for (std::size_t w = 0; w < loads.size(); ++w) {
+    const std::string& wall = simulation.info().walls[w].name;
+    for (std::size_t a = 0; a < Dim; ++a)
+      row.push_back({wall + "_force_" + "xyz"[a], "N", loads[w].force[a]});
+    for (std::size_t a = 0; a < 3; ++a)
+      if (Dim == 3 || (Dim == 2 && a == 2))
+        row.push_back({wall + "_torque_" + "xyz"[a], "N m", loads[w].torque[a]});
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -44,7 +58,7 @@ std::vector<Figure> measureState(const Simulation<Dim>& simulation, const Observ
     if (Dim == 3 || (Dim == 2 && a == 2))
       row.push_back(
           {std::string("angular_momentum_") + "xyz"[a], "kg m^2/s", c.angularMomentum[a]});
-  // Figures that only the simulation knows (loads on walls, ...) go here.
+  addLoads(row, simulation);
   observers.addTo(row, observed(simulation));
   return row;
 }

@@ -2,6 +2,7 @@
 #include "solver/stop_request.hpp"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace plenum {
 

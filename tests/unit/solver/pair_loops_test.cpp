@@ -12,8 +12,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -54,6 +56,15 @@ void addMissing(ParticleSet<Dim>& particles, FieldSet fields) {
         for (int a = 0; a < Dim; ++a) value[a] = uniform(generator) - 1;
     }
   });
+  // Neighbours at r -> 0 have the same density, else their diffusion has no bound.
+  if (!fields.has(FieldId::densityGradient)) return;
+  constexpr double k = 2 * std::numbers::pi;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double x = particles[field::position][i][0];
+    particles[field::density][i] = 1 + 0.3 * std::sin(k * x);
+    particles[field::densityGradient][i] = {};
+    particles[field::densityGradient][i][0] = 0.3 * k * std::cos(k * x);
+  }
 }
 
 template <int Dim, class List>
@@ -101,7 +112,11 @@ void expectEqualToDoubleLoop() {
           const double deviation =
               deviationOf<Dim>(set, precision, choiceOf(kernel, termList), list);
           // The fourth power of W in term::Concentration has four times its error.
-          const double factor = list.writes.has(field::positionDivergence) ? 5 : 1;
+          // Diffusion divides a difference of densities, each rounded to float, by the distance
+          // where the kernel has a slope at r = 0; in 1-D the closest pairs are very close.
+          const double factor = list.writes.has(field::positionDivergence) ? 5
+                                : list.reads.has(field::densityGradient)   ? 20
+                                                                           : 1;
           EXPECT_LE(deviation, factor * test::toleranceOf(precision))
               << nameOf(set) << ", " << test::nameOf(precision) << ", list " << termList << ", "
               << kernel;
