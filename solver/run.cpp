@@ -49,7 +49,7 @@ class Run {
       while (simulation_.time() < solver_.endTime) {
         simulation_.advanceTo(nextTime(), [&] { return mayGoOn(progress); });
         serveDueTimes();
-        if (mayStop()) return stopped();
+        if (simulation_.time() < solver_.endTime && mayStop()) return stopped();
       }
     } catch (const std::exception& error) {
       throw RunError(std::string(error.what()) + "; " + recorder_->saveFailed(simulation_) +
@@ -110,6 +110,7 @@ class Run {
     }
     if (pauses_ && pauses_->isDue(time)) {
       pauses_->advance();
+      if (time >= solver_.endTime) return;  // the end file is one
       simulation_.preparePause();
       writeCheckpoint();
     }
