@@ -87,6 +87,37 @@ void checkCoverage(const SceneInfo<Dim>& info, const SolverSettings& settings) {
         wallsSum ? ", with density = \"continuity\" or with wall_pressure = \"zero\"" : ""));
 }
 
+/// Physics that do not go together.
+template <int Dim>
+void checkPhysics(const SceneInfo<Dim>& info, const SolverSettings& settings) {
+  const std::vector<Material>& materials = info.materials;
+  const bool manyDensities = std::ranges::any_of(materials, [&](const Material& material) {
+    return material.density != materials.front().density;
+  });
+  if (manyDensities)
+    for (const Material& material : materials)
+      if (!material.soundSpeed)
+        throw InputError(fmt::format(
+            "fluids of different densities and one equation of state: fluid \"{}\" has no "
+            "sound_speed of its own; give each [[fluid]] its sound_speed [m/s] in the case (and, "
+            "where they differ, tait_exponent, background_pressure, dynamic_viscosity) and run "
+            "plenum-ic generate again",
+            material.name));
+  if (!settings.densityDiffusion) return;
+  const auto refuse = [](const char* why, const char* remedy) {
+    throw InputError(fmt::format("solver.density_diffusion {}; {}, or leave density_diffusion out",
+                                 why, remedy));
+  };
+  if (settings.sumsDensity())
+    refuse("is a part of the continuity equation, and solver.density = \"summation\"",
+           "set solver.density = \"continuity\"");
+  if (manyDensities)
+    refuse("would mix the densities of the fluids", "use solver.collisions or solver.shifting");
+  if (settings.wallPressure == "zero" && !info.walls.empty())
+    refuse("needs walls whose density is that of the fluid, and solver.wall_pressure = \"zero\"",
+           "set solver.wall_pressure = \"extrapolated\"");
+}
+
 }  // namespace
 
 template <int Dim>
@@ -97,6 +128,7 @@ void checkBeforeRun(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particle
   checkValues(particles, 2 * settings.smoothingLength * info.spacing);
   checkSmoothingLengths(particles);
   checkCoverage(info, settings);
+  checkPhysics(info, settings);
   if (settings.collisions && settings.collisions->range > 2 * settings.smoothingLength)
     throw InputError(fmt::format(
         "solver.collisions.range = {:g} d_ref: must not exceed the kernel's support, {:g} d_ref",

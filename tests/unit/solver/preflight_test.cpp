@@ -142,5 +142,65 @@ TEST(Simulation, StopsBeforeADensityTurnsNegative) {
   for (const double rho : simulation.particles()[field::density]) EXPECT_GT(rho, 0);
 }
 
+TEST(Preflight, RefusesTwoDensitiesAndOneEquationOfState) {
+  Scene<2> scene = gas();
+  scene.info.materials = {{"water", 1000, 20.0}, {"air", 1}};
+  scene.particles.add({field::material});
+  const std::string message = refusal(scene);
+  EXPECT_NE(message.find("fluid \"air\" has no sound_speed"), std::string::npos) << message;
+  scene.info.materials[1].soundSpeed = 340;
+  EXPECT_EQ(refusal(scene), "");
+}
+
+TEST(Preflight, RefusesDiffusionWhereItHasNoMeaning) {
+  Scene<2> scene = gas();
+  SolverSettings settings;
+  settings.densityDiffusion = DensityDiffusionSettings{};
+  EXPECT_NE(refusal(scene, settings).find("solver.density = \"continuity\""), std::string::npos);
+  settings.density = "continuity";
+  EXPECT_EQ(refusal(scene, settings), "");
+  scene.info.walls = {{"floor", "lattice", 4, 0.4, 1.0, {}}};
+  EXPECT_NE(refusal(scene, settings).find("\"extrapolated\""), std::string::npos);
+  settings.wallPressure = "extrapolated";
+  EXPECT_EQ(refusal(scene, settings), "");
+  scene.info.materials = {{"water", 1000, 20.0}, {"air", 1, 20.0}};
+  scene.particles.add({field::material});
+  EXPECT_NE(refusal(scene, settings).find("mix the densities"), std::string::npos);
+}
+
+/// The message with which a step stops.
+std::string failure(Scene<2> scene, const SolverSettings& settings, double dt) {
+  try {
+    Simulation<2> simulation(std::move(scene), settings);
+    for (int k = 0; k < 10; ++k) simulation.step(dt);
+  } catch (const RunError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Preflight, AStepStopsBeforeItDoesHarm) {
+  SolverSettings settings;  // h = .15 m, c = 10 m/s
+  settings.timeStep = 0.04;
+  EXPECT_NE(failure(gas(), settings, 0.04).find("longer than its limit 0.03 s"), std::string::npos);
+  settings.timeStep = {};
+
+  Scene<2> fast = gas();
+  fast.particles[field::velocity][4] = {{60, 0}};
+  const std::string tooFast = failure(fast, settings, 1e-5);
+  EXPECT_NE(tooFast.find("particle 5 at"), std::string::npos) << tooFast;
+  EXPECT_NE(tooFast.find("above solver.speed_limit = 5 c at t = 0 s"), std::string::npos)
+      << tooFast;
+
+  Scene<2> bursting = gas();  // all fly apart: rho (1 - dt div v) < 0
+  for (std::size_t i = 0; i < bursting.particles.size(); ++i)
+    bursting.particles[field::velocity][i] =
+        30.0 * (bursting.particles[field::position][i] - Vec<2>{{0.5, 0.5}});
+  settings.density = "continuity";
+  const std::string burst = failure(bursting, settings, 0.02);
+  EXPECT_NE(burst.find("the density is no longer positive"), std::string::npos) << burst;
+  EXPECT_NE(burst.find("likely a time step that is too large"), std::string::npos) << burst;
+}
+
 }  // namespace
 }  // namespace plenum
