@@ -2,6 +2,7 @@
 #include "ictools/assemble.hpp"
 
 #include "engine/ordered_sum.hpp"
+#include "ictools/formula.hpp"
 #include "ictools/number_density.hpp"
 #include "ictools/point_grid.hpp"
 #include "ictools/state.hpp"
@@ -31,6 +32,34 @@ double plainVolumeOf(const FluidFill<Dim>& fluid, const std::vector<double>& rat
          orderedSum<double>(ratios.size(), [&](std::size_t k) { return power<Dim>(ratios[k]); });
 }
 
+/// Velocities that formulas give, a component each; `velocity` without them.
+template <int Dim>
+void setVelocities(const FluidSettings& settings, std::span<const Vec<Dim>> positions,
+                   std::span<Vec<Dim>> velocities) {
+  Vec<Dim> velocity;
+  for (std::size_t a = 0; a < settings.velocity.size(); ++a)
+    velocity[static_cast<int>(a)] = settings.velocity[a];
+  forEachIndex(velocities.size(), [&](std::size_t k) { velocities[k] = velocity; });
+  const CaseNode& node = at(settings.node, "velocity_formula");
+  for (std::size_t a = 0; a < settings.velocityFormula.size(); ++a) {
+    const auto values =
+        finiteValuesAt(Formula<Dim>(settings.velocityFormula[a], node), positions, node);
+    forEachIndex(values.size(),
+                 [&](std::size_t k) { velocities[k][static_cast<int>(a)] = values[k]; });
+  }
+}
+
+/// What a fluid's formula or profile says at its places; empty where it has neither.
+template <int Dim>
+std::vector<double> givenAt(const FluidFill<Dim>& fluid, std::span<const Vec<Dim>> positions) {
+  const FluidSettings& settings = fluid.settings;
+  if (fluid.profile)
+    return densitiesAt<Dim>(*fluid.profile, positions, at(settings.node, "profile"));
+  if (settings.pressureFormula.empty()) return {};
+  const CaseNode& node = at(settings.node, "pressure_formula");
+  return finiteValuesAt(Formula<Dim>(settings.pressureFormula, node), positions, node);
+}
+
 /// State of the particles of fluid `material`, from `first` on; their positions are there.
 template <int Dim>
 void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
@@ -39,11 +68,7 @@ void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
   const std::size_t n = fluid.nParticles;
   const InitialState state(settings.ownSolver(frame.solver), settings.density, settings.pressure,
                            settings.hydrostatic, settings.node);
-  Vec<Dim> velocity;
-  for (std::size_t a = 0; a < settings.velocity.size(); ++a)
-    velocity[static_cast<int>(a)] = settings.velocity[a];
   const auto positions = particles[field::position].subspan(first, n);
-  const auto velocities = particles[field::velocity].subspan(first, n);
   const auto densities = particles[field::density].subspan(first, n);
   const auto pressures = particles[field::pressure].subspan(first, n);
   const auto masses = particles[field::mass].subspan(first, n);
@@ -56,7 +81,6 @@ void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
   if (fluid.resolution) ratios = ratiosAt<Dim>(*fluid.resolution, positions);
   const double plainVolume = plainVolumeOf<Dim>(fluid, ratios);
   const auto fill = [&](std::size_t k, const FluidState& here) {
-    velocities[k] = velocity;
     densities[k] = here.density;
     pressures[k] = here.pressure;
     const double ratio = ratios.empty() ? 1 : ratios[k];
@@ -66,17 +90,18 @@ void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
     lengths[k] = frame.smoothingLength() * fluid.lengthScale * ratio;
     if (hasEqualMasses) lengths[k] *= std::pow(volumes[k] / fluid.lattice.cellVolume(), 1.0 / Dim);
   };
-  std::vector<double> density;
-  if (fluid.profile)
-    density = densitiesAt<Dim>(*fluid.profile, positions, at(settings.node, "profile"));
-  if (!fluid.profile && state.isUniform()) {
+  setVelocities<Dim>(settings, positions, particles[field::velocity].subspan(first, n));
+  const std::vector<double> given = givenAt<Dim>(fluid, positions);
+  if (given.empty() && state.isUniform()) {
     const FluidState everywhere = state(Vec<Dim>{});
     forEachIndex(n, [&](std::size_t k) { fill(k, everywhere); });
     return;
   }
   parallelFor((n + batchLength - 1) / batchLength, [&](std::size_t b) {
     for (std::size_t k = b * batchLength; k < std::min(n, (b + 1) * batchLength); ++k)
-      fill(k, fluid.profile ? state.withDensity(density[k]) : state(positions[k]));
+      fill(k, given.empty()   ? state(positions[k])
+              : fluid.profile ? state.withDensity(given[k])
+                              : state.withPressure(given[k]));
   });
 }
 
@@ -198,8 +223,8 @@ std::vector<std::pair<std::string, double>> qualityFigures(
     const double whole = fluid.settings.density * fluid.volume.value;
     figures.emplace_back(name + ": particles", fluid.nParticles);
     figures.emplace_back(name + ": mass", mass);
-    const bool hasOneDensity =
-        !fluid.profile && !fluid.settings.hydrostatic && !fluid.settings.pressure;
+    const bool hasOneDensity = !fluid.profile && !fluid.settings.hydrostatic &&
+                               !fluid.settings.pressure && fluid.settings.pressureFormula.empty();
     if (fluid.nCovered == 0 && hasOneDensity)
       figures.emplace_back(name + ": density x volume", whole);
     figures.emplace_back(name + ": left to earlier fluids", fluid.nCovered);

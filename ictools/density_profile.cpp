@@ -2,16 +2,15 @@
 #include "ictools/density_profile.hpp"
 
 #include "ictools/density_table.hpp"
+#include "ictools/formula.hpp"
 #include "particles/errors.hpp"
 #include "particles/parallel.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <muParser.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace plenum {
 
@@ -42,30 +41,16 @@ DensityProfilePtr<Dim> profileFrom(Function function) {
   return std::make_shared<const FunctionProfile<Dim, Function>>(std::move(function));
 }
 
-/// A formula of x, y, z, and r, the distance from the origin.
 template <int Dim>
 class FormulaProfile final : public DensityProfile<Dim> {
  public:
-  explicit FormulaProfile(std::string formula) : formula_(std::move(formula)) {}
-
+  FormulaProfile(const std::string& text, const CaseNode& node) : formula_(text, node) {}
   void at(std::span<const Vec<Dim>> points, std::span<double> density) const override {
-    // A parser for each call: they are not made for several threads.
-    Vec<Dim> x;
-    double r = 0;
-    mu::Parser parser;
-    for (int a = 0; a < Dim; ++a) parser.DefineVar(std::string(1, "xyz"[a]), &x[a]);
-    parser.DefineVar("r", &r);
-    parser.DefineConst("pi", std::numbers::pi);
-    parser.SetExpr(formula_);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      x = points[k];
-      r = norm(x);
-      density[k] = parser.Eval();
-    }
+    formula_.at(points, density);
   }
 
  private:
-  std::string formula_;
+  Formula<Dim> formula_;
 };
 
 template <int Dim>
@@ -108,21 +93,6 @@ DensityProfilePtr<Dim> image(const ImageProfileKeys& keys, const CaseNode& node,
   }
 }
 
-template <int Dim>
-DensityProfilePtr<Dim> formula(const std::string& text, const CaseNode& node) {
-  auto profile = std::make_shared<const FormulaProfile<Dim>>(text);
-  try {
-    static_cast<const DensityProfile<Dim>&>(*profile).at(Vec<Dim>{});
-  } catch (const mu::Parser::exception_type& error) {
-    node.fail(fmt::format("{}; names: {}, r, pi; functions: sin, cos, exp, log, sqrt, min, ...",
-                          error.GetMsg(),
-                          Dim == 1   ? "x"
-                          : Dim == 2 ? "x, y"
-                                     : "x, y, z"));
-  }
-  return profile;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -150,7 +120,8 @@ DensityProfilePtr<Dim> makeProfile(const ProfileKeys& keys, const CaseNode& node
                                 const Vec<Dim>& x) { return table.at(norm(x - center)); });
   }
   if (keys.image) return image<Dim>(*keys.image, *node.find("image"), folder);
-  if (!keys.formula.empty()) return formula<Dim>(keys.formula, *node.find("formula"));
+  if (!keys.formula.empty())
+    return std::make_shared<const FormulaProfile<Dim>>(keys.formula, *node.find("formula"));
   return profileFrom<Dim>(
       [table = readGridTable<Dim>(folder / keys.table)](const Vec<Dim>& x) { return table.at(x); });
 }

@@ -99,6 +99,23 @@ void nameAll(std::vector<Settings>& all, const std::string& kind) {
       at(settings.node, "name").fail("another " + kind + " has that name; names must differ");
 }
 
+/// What a fluid starts with is said once.
+void checkState(const FluidSettings& fluid, int dimension) {
+  if (fluid.pressure && fluid.hydrostatic)
+    at(fluid.node, "pressure").fail("excludes hydrostatic; give one of them");
+  if (fluid.profile && fluid.hydrostatic)
+    at(fluid.node, "profile").fail("excludes hydrostatic; give one of them");
+  if (!fluid.pressureFormula.empty() && (fluid.pressure || fluid.hydrostatic || fluid.profile))
+    at(fluid.node, "pressure_formula")
+        .fail("excludes pressure, hydrostatic and profile; give one of them");
+  if (const CaseNode* node = fluid.node.find("velocity_formula")) {
+    if (!fluid.velocity.empty()) node->fail("excludes velocity; give one of them");
+    if (fluid.velocityFormula.size() != static_cast<std::size_t>(dimension))
+      node->fail(fmt::format("needs {} formulas, one for each axis; has {}", dimension,
+                             fluid.velocityFormula.size()));
+  }
+}
+
 void checkFluid(const FluidSettings& fluid, int dimension) {
   const std::vector<std::string>& known = latticeNames(dimension);
   if (fluid.lattice != "random" &&
@@ -108,10 +125,7 @@ void checkFluid(const FluidSettings& fluid, int dimension) {
                           dimension == 1 ? "" : "s", fmt::join(known, ", ")));
   if (fluid.lattice == "random" && !fluid.latticeOrigin.empty())
     at(fluid.node, "lattice_origin").fail("a random set has no origin; leave it out");
-  if (fluid.pressure && fluid.hydrostatic)
-    at(fluid.node, "pressure").fail("excludes hydrostatic; give one of them");
-  if (fluid.profile && fluid.hydrostatic)
-    at(fluid.node, "profile").fail("excludes hydrostatic; give one of them");
+  checkState(fluid, dimension);
   if (!fluid.particles.empty() && !fluid.profile && !fluid.hydrostatic)
     at(fluid.node, "particles")
         .fail("goes with a profile or hydrostatic; leave it out, or give one of them");
@@ -217,8 +231,14 @@ const Section<FluidSettings>& fluidSection() {
               "another fluid: this one's lattice becomes finer or coarser than d_ref, so that its "
               "particles have the mass of that one's")
           .vector("velocity", &S::velocity, "m/s", "initial velocity; absent: zero")
+          .texts("velocity_formula", &S::velocityFormula,
+                 "its components [m/s] by formulas of x, y, z [m], r and pi, instead, as "
+                 "[\"sin(2*pi*y)\", \"0\"]")
           .number("pressure", &S::pressure, "Pa m^(3-d)", Range::any(),
                   "initial pressure, density follows; absent: solver.background_pressure")
+          .text("pressure_formula", &S::pressureFormula,
+                "the initial pressure [Pa m^(3-d)] by a formula of x, y, z [m], r and pi, instead; "
+                "density follows")
           .section("hydrostatic", &S::hydrostatic, hydrostaticSection())
           .section("profile", &S::profile, profileSection())
           .text(
@@ -257,8 +277,8 @@ const Section<WallSettings>& wallSection() {
           .section("motion", &S::motion, tableMotionSection())
           .number(
               "pressure", &S::pressure, "Pa m^(3-d)", Range::any(),
-              "initial pressure, density follows; absent: zero, or the background pressure with "
-              "solver.wall_pressure = \"equation_of_state\"")
+              "initial pressure, density follows; absent: the background pressure, or zero with "
+              "solver.wall_pressure = \"zero\"")
           .section("hydrostatic", &S::hydrostatic, hydrostaticSection());
   return section;
 }
@@ -339,15 +359,17 @@ std::vector<FluidSettings> readFluids(const CaseSettings& settings) {
 std::vector<WallSettings> readWalls(const CaseSettings& settings) {
   std::vector<WallSettings> walls;
   if (!settings.walls) return walls;
+  const SolverSettings solver = settings.solverOrDefaults();
   for (const CaseNode& node : settings.walls->asArray()) {
     WallSettings wall = wallSection().read(node, settings.dimension);
     wall.node = node;
     checkWall(wall, settings.dimension);
-    if ((wall.pressure || wall.hydrostatic) && !settings.solverOrDefaults().wallsEvolve())
+    if ((wall.pressure || wall.hydrostatic) && !solver.wallsEvolve() &&
+        solver.wallPressure != "initial")
       node.find(wall.pressure ? "pressure" : "hydrostatic")
-          ->fail(
-              "has no effect while solver.wall_pressure = \"zero\"; leave it out, or set "
-              "wall_pressure = \"equation_of_state\"");
+          ->fail(fmt::format("has no effect while solver.wall_pressure = \"{}\"; leave it out, or "
+                             "set wall_pressure = \"initial\" or \"equation_of_state\"",
+                             solver.wallPressure));
     walls.push_back(std::move(wall));
   }
   nameAll(walls, "wall");

@@ -74,7 +74,9 @@ struct FluidSettings {
   std::string mass = "cell";
   std::string equalMassWith;  ///< the fluid whose particles have the same mass; "": spacing d_ref
   std::vector<double> velocity;
+  std::vector<std::string> velocityFormula;  ///< of the place, a component each; empty: `velocity`
   std::optional<double> pressure;
+  std::string pressureFormula;  ///< of the place; "": none
   std::optional<HydrostaticSettings> hydrostatic;
   std::optional<ProfileKeys> profile;
   std::string particles;  ///< "equal_mass", "equal_spacing"; "": the first of a profile

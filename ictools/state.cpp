@@ -27,14 +27,20 @@ InitialState::InitialState(const SolverSettings& solver, double referenceDensity
   pressure_ = hydrostatic->pressureAtSurface.value_or(solver.backgroundPressure);
 }
 
+FluidState InitialState::withPressure(double pressure) const {
+  const double c2 = solver_.soundSpeed * solver_.soundSpeed, gamma = solver_.taitExponent;
+  const double excess = (pressure - solver_.backgroundPressure) / (referenceDensity_ * c2);
+  const double base = 1 + gamma * excess;
+  if (!(base > 0)) failWithoutDensity(pressure);
+  return {pressure, referenceDensity_ * (gamma == 1 ? base : std::pow(base, 1 / gamma))};
+}
+
 template <int Dim>
 FluidState InitialState::operator()(const Vec<Dim>& x) const {
   const double c2 = solver_.soundSpeed * solver_.soundSpeed, gamma = solver_.taitExponent;
-  const double excess = (pressure_ - solver_.backgroundPressure) / (referenceDensity_ * c2);
-  const double base = 1 + gamma * excess;
-  if (!(base > 0)) failWithoutDensity(pressure_);
-  const double ratio = gamma == 1 ? base : std::pow(base, 1 / gamma);  // rho/rho_0
-  if (gravity_ == 0) return {pressure_, referenceDensity_ * ratio};
+  const FluidState atSurface = withPressure(pressure_);
+  if (gravity_ == 0) return atSurface;
+  const double ratio = atSurface.density / referenceDensity_;
   double depth = surface_;
   for (int a = 0; a < Dim; ++a)
     depth += x[a] * solver_.gravity[static_cast<std::size_t>(a)] / gravity_;

@@ -34,6 +34,9 @@ class InitialState {
   template <int Dim>
   FluidState operator()(const Vec<Dim>& x) const;
 
+  /// Of a pressure that is given. Throws InputError if no density belongs to it.
+  FluidState withPressure(double pressure) const;
+
   /// Of a density that is given: the pressure is the uniform one if the table names it, else that
   /// of the equation of state.
   FluidState withDensity(double density) const;

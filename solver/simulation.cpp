@@ -267,7 +267,11 @@ void Simulation<Dim>::updatePressure(double now) {
     wallAccelerations_.resize(particles.nWalls());
     wallMotion_.accelerations(now, particles, wallAccelerations_);
   }
-  wallState_.update(engine_, passes_.atWalls, particles, wallAccelerations_);
+  if (settings_.laminar() && wallMotion_.anyMoves()) {
+    towardsSurface_.resize(particles.nWalls());
+    wallMotion_.towardsSurface(now, particles, towardsSurface_);
+  }
+  wallState_.update(engine_, passes_.atWalls, particles, {wallAccelerations_, towardsSurface_});
 }
 
 /// Sums the forces at the present positions, those of the time `now` [s]. Walls that fluid sticks

@@ -127,6 +127,7 @@ class Simulation {
   WallState<Dim> wallState_;
   WallMotion<Dim> wallMotion_;
   std::vector<Vec<Dim>> wallAccelerations_;  // empty if no wall moves [m/s^2]
+  std::vector<Vec<Dim>> towardsSurface_;     // empty if no wall moves [m/s]
   WallLoads<Dim> wallLoads_;
   double largestAcceleration_ = 0;  // of a fluid particle in the last step [m/s^2]
   double fastest_ = 0;              // its speed [m/s]

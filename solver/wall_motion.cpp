@@ -82,6 +82,24 @@ void WallMotion<Dim>::accelerations(double time, const ParticleSet<Dim>& particl
 }
 
 template <int Dim>
+void WallMotion<Dim>::towardsSurface(double time, const ParticleSet<Dim>& particles,
+                                     std::span<Vec<Dim>> result) {
+  std::ranges::fill(result, Vec<Dim>{});
+  if (!anyMoves_) return;
+  setPoses(time);
+  const auto wallOf = particles[field::wall];
+  const auto normals = particles[field::normal];
+  const auto depths = particles[field::wallDistance];
+  forEachIndex(result.size(), [&](std::size_t k) {
+    const auto w = static_cast<std::size_t>(wallOf[k]);
+    if (walls_[w].motion.isStill()) return;
+    const MotionState& state = poses_[w].state;
+    const Vec<Dim> center = fromThree<Dim>(state.center);
+    result[k] = state.velocityAt(center + depths[k] * normals[k]) - state.velocityAt(center);
+  });
+}
+
+template <int Dim>
 std::vector<Vec<Dim>> WallMotion<Dim>::centers(double time) const {
   std::vector<Vec<Dim>> centers;
   for (const Wall& wall : walls_)

@@ -31,6 +31,10 @@ class WallMotion {
   /// The accelerations of all wall particles at `time` [s]; length nWalls().
   void accelerations(double time, const ParticleSet<Dim>& particles, std::span<Vec<Dim>> result);
 
+  /// How much faster than itself the surface before each wall particle moves [m/s], which differs
+  /// where a wall turns: angular velocity x (depth normal) at `time` [s]; length nWalls().
+  void towardsSurface(double time, const ParticleSet<Dim>& particles, std::span<Vec<Dim>> result);
+
   /// Where the centres of rotation of the walls are at `time` [m].
   std::vector<Vec<Dim>> centers(double time) const;
 

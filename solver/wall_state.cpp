@@ -7,16 +7,15 @@ namespace plenum {
 
 template <int Dim>
 void WallState<Dim>::update(Engine<Dim>& engine, const PairPass<Dim>& atWalls,
-                            ParticleSet<Dim>& particles,
-                            std::span<const Vec<Dim>> accelerations) const {
+                            ParticleSet<Dim>& particles, const WallMovement<Dim>& movement) const {
   if (particles.nWalls() == 0) return;
   if (atWalls) engine.run(atWalls, particles);
   const auto integrating = engine.stopwatch().lap(Part::integrate);
   if (settings_.wallsExtrapolate())
-    extrapolate(engine, particles, accelerations);
+    extrapolate(engine, particles, movement.accelerations);
   else
     setPressures(particles);
-  if (particles.has(field::slipVelocity)) setSlip(engine, particles);
+  if (particles.has(field::slipVelocity)) setSlip(engine, particles, movement.towardsSurface);
 }
 
 template <int Dim>
@@ -54,15 +53,18 @@ void WallState<Dim>::setPressures(ParticleSet<Dim>& particles) const {
 }
 
 template <int Dim>
-void WallState<Dim>::setSlip(const Engine<Dim>& engine, ParticleSet<Dim>& particles) const {
+void WallState<Dim>::setSlip(const Engine<Dim>& engine, ParticleSet<Dim>& particles,
+                             std::span<const Vec<Dim>> towardsSurface) const {
   const std::size_t nFluid = particles.nFluid();
   const auto slip = particles[field::slipVelocity];
   const auto velocity = std::as_const(particles)[field::velocity];
   engine.forEachSum(
       Group::walls,
       [&](std::size_t i, double kernelSum, const Vec<Dim>& sum) {
+        Vec<Dim> surface = velocity[i];
+        if (!towardsSurface.empty()) surface += towardsSurface[i - nFluid];
         slip[i - nFluid] =
-            kernelSum > leastKernelSum ? 2 * velocity[i] - (1 / kernelSum) * sum : velocity[i];
+            kernelSum > leastKernelSum ? 2 * surface - (1 / kernelSum) * sum : velocity[i];
       },
       field::kernelSum, field::velocity);
 }

@@ -71,7 +71,7 @@ double PressureGradient<Dim>::error(const Observed<Dim>& state) const {
     return LineSums{1, z, p, z * z, z * p};
   });
   if (!(sums.spread() > 0)) return none;
-  return 100 * std::abs(sums.slope() / expected_);
+  return 100 * sums.slope() / expected_;
 }
 
 template <int Dim>

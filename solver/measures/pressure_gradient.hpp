@@ -17,7 +17,8 @@ class PressureGradient {
   PressureGradient(const PressureGradientSettings& settings, const Observed<Dim>& start,
                    const std::string& key);
 
-  /// pressure_gradient_error [%]; empty where fewer than two heights are left.
+  /// pressure_gradient_error [%], positive where the pressure grows too fast with depth; empty
+  /// where fewer than two heights are left.
   void addTo(std::vector<Figure>& row, const Observed<Dim>& state) const;
 
  private:

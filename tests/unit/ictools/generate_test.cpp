@@ -10,7 +10,9 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <numbers>
 #include <set>
 
 namespace plenum {
@@ -106,6 +108,74 @@ outside = "tube"
   EXPECT_EQ(scene.particles.nWalls(), 6u);
   for (const double r : test::nearestDistances(scene.particles[field::position], scene.info.domain))
     EXPECT_NEAR(r, 0.1, 1e-14);
+}
+
+TEST(Generate, VelocityAndPressureByFormulas) {
+  const std::string solver = "[solver]\nsound_speed = 10\nbackground_pressure = 3\n";
+  const Scene<2> scene = test::sceneOf<2>(test::periodicBox("0.1", R"(
+lattice = "square"
+density = 2
+velocity_formula = ["-cos(2*pi*x)*y", "x + 2*y"]
+pressure_formula = "5 + x*y")") + "\n" + solver);
+  const ParticleSet<2>& p = scene.particles;
+  ASSERT_EQ(p.nFluid(), 100u);
+  for (std::size_t i = 0; i < p.nFluid(); ++i) {
+    const auto [x, y] = p[field::position][i].components;
+    // The same few operations of numbers of about 1, at most in another order.
+    EXPECT_NEAR(p[field::velocity][i][0], -std::cos(2 * std::numbers::pi * x) * y, 1e-15);
+    EXPECT_NEAR(p[field::velocity][i][1], x + 2 * y, 1e-15);
+    EXPECT_NEAR(p[field::pressure][i], 5 + x * y, 1e-15);
+    EXPECT_NEAR(p[field::density][i], 2 * (1 + (2 + x * y) / 200), 1e-15);
+    EXPECT_NEAR(p[field::mass][i], p[field::density][i] * 0.01, 1e-17);
+  }
+}
+
+TEST(Generate, BadFormulasAreRefused) {
+  const auto expect = [](const std::string& fluid, const char* part) {
+    const std::string message = test::messageOf<2>(test::periodicBox("0.1", fluid));
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  expect("velocity_formula = [\"x\"]", "needs 2 formulas, one for each axis; has 1");
+  expect("velocity_formula = [\"x\", \"z\"]", "names: x, y, r, pi");
+  expect("velocity_formula = [\"x\", \"1/(x-x)\"]", "it must be finite everywhere");
+  expect("velocity = [1, 0]\nvelocity_formula = [\"x\", \"y\"]", "excludes velocity");
+  expect("pressure_formula = \"1 +\"", "names: x, y, r, pi");
+  expect("pressure_formula = \"-1000\"", "has no density at sound speed 10 m/s");
+  expect("pressure = 1\npressure_formula = \"1\"", "excludes pressure, hydrostatic and profile");
+  expect("pressure_formula = \"1\"\nprofile = { formula = \"1\" }", "excludes pressure");
+}
+
+/// Walls keep the pressure that the case gives with "initial", and only there or where they follow
+/// the equation of state does it have an effect.
+TEST(Generate, PressuresOfWallsNeedAWallThatHasOne) {
+  const auto tank = [](const std::string& wallPressure) {
+    return R"(
+dimension = 2
+spacing = 0.1
+[geometry]
+tank = { box = { lower = [0, 0], upper = [1, 1] } }
+[[fluid]]
+region = "tank"
+density = 1000
+[[wall]]
+outside = "tank"
+hydrostatic = { surface = 1 }
+[solver]
+gravity = [0, -10]
+sound_speed = 30
+wall_pressure = ")" +
+           wallPressure + "\"\n";
+  };
+  for (const char* kept : {"initial", "equation_of_state"}) {
+    const Scene<2> scene = test::sceneOf<2>(tank(kept));
+    const auto pressure = scene.particles[field::pressure].subspan(scene.particles.nFluid());
+    EXPECT_GT(std::ranges::max(pressure), 1e4);  // below the bottom, 1 m deep
+  }
+  for (const char* other : {"zero", "extrapolated"}) {
+    const std::string message = test::messageOf<2>(tank(other));
+    EXPECT_NE(message.find(std::string("solver.wall_pressure = \"") + other), std::string::npos)
+        << message;
+  }
 }
 
 TEST(Generate, HelpNamesEveryTable) {

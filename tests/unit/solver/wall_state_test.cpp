@@ -94,7 +94,7 @@ TEST(WallState, AcceleratedWallsFeelTheDifferenceToGravity) {
   const Tait state{1, 10, 0, 1};
   WallState<2> walls(settings, MaterialTable({state, state}), {{0, -1}});
   const std::vector<Vec<2>> falling(scene.particles.nWalls(), {{0, -1}});
-  walls.update(engine, passes.atWalls, scene.particles, falling);
+  walls.update(engine, passes.atWalls, scene.particles, {.accelerations = falling});
   for (std::size_t i = scene.particles.nFluid(); i < scene.particles.size(); ++i) {
     const double p = scene.particles[field::pressure][i];
     if (p != 0) EXPECT_NEAR(p, 5.0, 1e-13);  // a mean of 5.0s
@@ -151,6 +151,35 @@ TEST(WallState, AFluidSticksToAMovingWall) {
     ++nSeen;
     EXPECT_NEAR(slip[0], 3, 1e-6);  // 2 v_w - v_f, by pairs in float
     EXPECT_NEAR(slip[1], -0.5, 1e-6);
+  }
+  EXPECT_GT(nSeen, 100u);
+}
+
+/// Fluid at rest sees 2 v_s, v_s the velocity of the surface, not of the particles behind it.
+TEST(WallState, AFluidSticksToTheSurfaceOfATurningWall) {
+  constexpr double omega = 3, depth = 0.1;
+  Scene<2> scene = test::walledScene<2>(16, 0, 0);
+  std::ranges::fill(scene.particles[field::wallDistance], depth);
+  for (std::size_t i = scene.particles.nFluid(); i < scene.particles.size(); ++i) {
+    const Vec<2>& x = scene.particles[field::position][i];
+    scene.particles[field::velocity][i] = {{-omega * x[1], omega * x[0]}};
+  }
+  for (std::size_t i = 0; i < scene.particles.nFluid(); ++i)
+    scene.particles[field::velocity][i] = {};
+  for (Wall& wall : scene.info.walls) wall.motion.angularVelocity = {0, 0, omega};
+  SolverSettings settings = liquid("zero", 2);
+  settings.precision = "double";
+  settings.viscosity = ViscositySettings{{}, LaminarSettings{1e-3}};
+  const Simulation<2> simulation(std::move(scene), settings);
+  const ParticleSet<2>& p = simulation.particles();
+  std::size_t nSeen = 0;
+  for (std::size_t k = 0; k < p.nWalls(); ++k) {
+    const Vec<2> slip = p[field::slipVelocity][k];
+    if (slip == p[field::velocity][p.nFluid() + k]) continue;  // nobody near
+    ++nSeen;
+    const Vec<2> surface = p[field::position][p.nFluid() + k] + depth * p[field::normal][k];
+    EXPECT_NEAR(slip[0], -2 * omega * surface[1], 1e-13);  // some roundings of numbers of about 6
+    EXPECT_NEAR(slip[1], 2 * omega * surface[0], 1e-13);
   }
   EXPECT_GT(nSeen, 100u);
 }
