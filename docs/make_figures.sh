@@ -11,7 +11,7 @@ ic=$build/ictools/plenum-ic
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest)
+known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest dam)
 chosen=("${@:-${known[@]}}")
 
 # The disk in which the first pictures are taken.
@@ -43,6 +43,19 @@ measured() {  # the tests print tables, and write them and charts there
     /usr/bin/python3 "tests/end_to_end/$1_test.py" "$ic" "$build/solver/plenum-sph" cases)
 }
 
+# dam NAME CASE TITLE [KEY=VALUE ...]: a picture of the last state of a dam break, also of one that
+# blew up.
+dam() {
+  local name=$1 case=$2 title=$3 sets=() run=$work/$1
+  shift 3
+  for value in "$@"; do sets+=(--set "$value"); done
+  "$ic" generate "$root/cases/$case.toml" -q --no-report -o "$work/$name.hdf" \
+    --set "title=\"$title\"" ${sets[@]+"${sets[@]}"}
+  "$build/solver/plenum-sph" run "$work/$name.hdf" -q -o "$run" || true
+  if [ -f "$run/last.png" ]; then cp "$run/last.png" "$folder/$name.png"
+  else cp "$run/failed.png" "$folder/$name.png"; fi
+}
+
 for name in "${chosen[@]}"; do
   case $name in
     lattices)
@@ -63,6 +76,18 @@ for name in "${chosen[@]}"; do
     report_card)
       "$ic" generate "$root/cases/initial_conditions/relaxed_ball.toml" -q -o "$work/ball.hdf"
       cp "$work/ball.report.png" "$folder/report_card.png" ;;
+    dam)  # figures 8 and 9 of Kruisbrink et al. 2018
+      sums=(solver.density=summation 'solver.collisions.pairs="wall"' solver.time_step=5e-5
+        solver.end_time=0.1)
+      dam dam_early_wendland dam_break_multiphase "Sums, kernel (1.1)" "${sums[@]}"
+      dam dam_early_convex dam_break_multiphase "Sums, convex kernel" "${sums[@]}" \
+        solver.kernel=convex
+      dam dam_early_collisions dam_break_multiphase "Continuity, kernel (1.1), collisions" \
+        solver.end_time=0.1
+      dam dam_late_single dam_break_single "Water alone, kernel (1.1)"
+      dam dam_late_wendland dam_break_multiphase "Continuity, kernel (1.1), no collisions" \
+        'solver.collisions.pairs="wall"'
+      dam dam_late_collisions dam_break_multiphase "Continuity, kernel (1.1), collisions" ;;
     relaxed_sets | densities | at_rest) measured "$name" ;;
     *) echo "make_figures.sh: $name: no such figure; known: ${known[*]}" >&2; exit 1 ;;
   esac

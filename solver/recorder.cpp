@@ -105,7 +105,8 @@ void Recorder<Dim>::removeOldFiles(bool isContinued, std::size_t nStates) const 
       continue;
     const bool isPicture = file == "first.png" && !isContinued;
     if (std::regex_match(rest, state) || isCheckpoint || file == series || isPicture ||
-        file == "last.png" || file == "summary.json" || file == "validation.json")
+        file == "last.png" || file == "failed.png" || file == "summary.json" ||
+        file == "validation.json")
       old.push_back(entry.path());
   }
   if (hasCheckpoints && !hasEnded && !isContinued && !options_.anew)
@@ -167,6 +168,7 @@ std::string Recorder<Dim>::saveFailed(const Simulation<Dim>& simulation) const n
     writeParticleFile(file, simulation.scene());
     writeVtu(options_.folder / (options_.name + "_failed.vtu"), simulation.particles(),
              {simulation.time(), std::nullopt});
+    draw(simulation, "failed.png");
     return "the last state is in " + file.string();
   } catch (const std::exception& error) {
     return std::string("and the last state could not be saved: ") + error.what();
