@@ -77,8 +77,8 @@ for name in "${chosen[@]}"; do
       "$ic" generate "$root/cases/initial_conditions/relaxed_ball.toml" -q -o "$work/ball.hdf"
       cp "$work/ball.report.png" "$folder/report_card.png" ;;
     dam)  # figures 8 and 9 of Kruisbrink et al. 2018
-      sums=(solver.density=summation 'solver.collisions.pairs="wall"' solver.time_step=5e-5
-        solver.end_time=0.1)
+      sums=(solver.density=summation 'solver.collisions.pairs="wall"' solver.wall_pressure=zero
+        solver.collisions.range=0.85 solver.time_step=5e-5 solver.end_time=0.1)
       dam dam_early_wendland dam_break_multiphase "Sums, kernel (1.1)" "${sums[@]}"
       dam dam_early_convex dam_break_multiphase "Sums, convex kernel" "${sums[@]}" \
         solver.kernel=convex
@@ -86,7 +86,7 @@ for name in "${chosen[@]}"; do
         solver.end_time=0.1
       dam dam_late_single dam_break_single "Water alone, kernel (1.1)"
       dam dam_late_wendland dam_break_multiphase "Continuity, kernel (1.1), no collisions" \
-        'solver.collisions.pairs="wall"'
+        'solver.collisions.pairs="wall"' solver.wall_pressure=zero solver.collisions.range=0.85
       dam dam_late_collisions dam_break_multiphase "Continuity, kernel (1.1), collisions" ;;
     relaxed_sets | densities | at_rest) measured "$name" ;;
     *) echo "make_figures.sh: $name: no such figure; known: ${known[*]}" >&2; exit 1 ;;

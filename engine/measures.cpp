@@ -268,6 +268,15 @@ std::size_t countLeft(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& i
   });
 }
 
+template <int Dim>
+std::size_t countEscaped(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info) {
+  const auto fluid = particles[field::position].first(particles.nFluid());
+  const auto toStart = containerMove(info, info.time, info.startTime);
+  return orderedSum<std::size_t>(fluid.size(), [&](std::size_t i) -> std::size_t {
+    return !info.domain.contains(info.domain.wrap(toStart(fluid[i])));
+  });
+}
+
 template SpacingMeasures measureSpacing<1>(const ParticleSet<1>&, const Box<1>&, double);
 template SpacingMeasures measureSpacing<2>(const ParticleSet<2>&, const Box<2>&, double);
 template SpacingMeasures measureSpacing<3>(const ParticleSet<3>&, const Box<3>&, double);
@@ -283,5 +292,8 @@ template double measureVoids<3>(const ParticleSet<3>&, const SceneInfo<3>&, bool
 template std::size_t countLeft<1>(const ParticleSet<1>&, const SceneInfo<1>&);
 template std::size_t countLeft<2>(const ParticleSet<2>&, const SceneInfo<2>&);
 template std::size_t countLeft<3>(const ParticleSet<3>&, const SceneInfo<3>&);
+template std::size_t countEscaped<1>(const ParticleSet<1>&, const SceneInfo<1>&);
+template std::size_t countEscaped<2>(const ParticleSet<2>&, const SceneInfo<2>&);
+template std::size_t countEscaped<3>(const ParticleSet<3>&, const SceneInfo<3>&);
 
 }  // namespace plenum

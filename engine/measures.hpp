@@ -55,4 +55,9 @@ double measureVoids(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& inf
 template <int Dim>
 std::size_t countLeft(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info);
 
+/// Fluid particles outside of the domain along its open axes: the box around all particles of the
+/// set, walls included, as it was made. Who is there went through the walls.
+template <int Dim>
+std::size_t countEscaped(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info);
+
 }  // namespace plenum

@@ -35,8 +35,8 @@ class Recorder {
   void finish(const Simulation<Dim>& simulation,
               const std::vector<ValidationResult>& validation) const;
 
-  /// Writes the state as it stands when a run fails, NAME_failed.hdf, .vtu and failed.png. Returns a sentence
-  /// that says where it is, or why it could not be written; throws nothing.
+  /// Writes the state as it stands when a run fails, NAME_failed.hdf, .vtu and failed.png. Returns
+  /// a sentence that says where it is, or why it could not be written; throws nothing.
   std::string saveFailed(const Simulation<Dim>& simulation) const noexcept;
 
   const std::vector<Figure>& lastRow() const { return row_; }

@@ -181,7 +181,6 @@ void Simulation<Dim>::notePause() {
 
 template <int Dim>
 void Simulation<Dim>::step(double dt) {
-  requireStable(dt);
   if (nSteps_ > 0 && mayPause()) engine_.forget();
   if (settings_.kicksTwice())
     stepKickDriftKick(dt);
@@ -428,23 +427,6 @@ std::size_t Simulation<Dim>::fastestParticle() const {
   const auto velocity = scene_.particles[field::velocity].first(scene_.particles.nFluid());
   const auto isFastest = [&](const Vec<Dim>& v) { return !(norm(v) < fastest_); };
   return static_cast<std::size_t>(std::ranges::find_if(velocity, isFastest) - velocity.begin());
-}
-
-/// A fixed step may be too long for sound or viscosity; of particles that are too fast
-/// `requireSpeedLimit` says more.
-template <int Dim>
-void Simulation<Dim>::requireStable(double dt) const {
-  if (!settings_.timeStep) return;
-  const double h = smoothingLength(), c = phases_.largestSoundSpeed();
-  const double nu = phases_.largestKinematicViscosity();
-  double limit = mostCourant * h / c;
-  if (nu > 0) limit = std::min(limit, h * h / nu);
-  if (dt > limit * (1 + 1e-9))
-    throw RunError(fmt::format(
-        "the time step {:g} s is longer than its limit {:g} s (2 h/c, h^2/nu) at t = {:.6g} s, "
-        "step "
-        "{}: no run is stable with it; try --set solver.time_step={:.2g}, or leave time_step out",
-        dt, limit, time(), nSteps_, 0.1 * limit));
 }
 
 template <int Dim>

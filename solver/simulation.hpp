@@ -88,10 +88,6 @@ class Simulation {
     scene_.info.quality = std::move(quality);
   }
 
-  /// A fixed step longer than so many h/c is refused. Measured: a tank with alpha = 1 is
-  /// stable up to 1.6 h/c.
-  static constexpr double mostCourant = 2;
-
  private:
   FieldSet neededFields() const;
   void setConstants();
@@ -112,7 +108,6 @@ class Simulation {
   void shiftParticles(double dt);
   void wrapPositions();
   std::size_t fastestParticle() const;
-  void requireStable(double dt) const;
   void requireSpeedLimit() const;
   [[noreturn]] void fail(const std::string& what, std::size_t particle) const;
 

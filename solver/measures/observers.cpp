@@ -44,6 +44,7 @@ void Observers<Dim>::addOrder(std::vector<Figure>& row, const Observed<Dim>& sta
   if (Dim == 2) row.push_back({"psi6", "", s.psi6});
   row.push_back({"void1", "", measureVoids(state.particles, info, settings_.freeSurface)});
   row.push_back({"left", "", static_cast<double>(countLeft(state.particles, info))});
+  row.push_back({"escaped", "", static_cast<double>(countEscaped(state.particles, info))});
 }
 
 template <int Dim>

@@ -2,6 +2,9 @@
 """Bad input gets one line that names file, key, value and remedy, and nothing is lost."""
 
 import os
+import resource
+import signal
+import subprocess
 import unittest
 
 import h5py
@@ -187,6 +190,37 @@ class RunErrors(Programs):
         with h5py.File(self.path("out", "gap_failed.hdf")) as f:
             self.assertTrue(numpy.isfinite(f["PartType0/Coordinates"][...]).all())
         self.assertTrue(os.path.exists(self.path("out", "gap_0000.vtu")))
+
+    def test_physics_that_do_not_go_together(self):
+        self.run_refused(["solver.density_diffusion={}"], "density_diffusion", "continuity")
+        self.run_refused(["solver.density_diffusion={}", "solver.density=continuity"],
+                         "density_diffusion", "wall_pressure", "extrapolated")
+
+    def test_a_step_above_its_limit(self):
+        self.run_refused(["solver.time_step=1"], "solver.time_step = 1 s", "limit", "leave")
+        self.assertFalse(os.path.exists(self.path("out")))
+
+    def test_a_particle_that_is_too_fast(self):
+        with h5py.File(self.path("gap.hdf"), "r+") as f:
+            f["PartType0/Velocities"][-1] = [1000, 0, 0]
+        self.run_refused([], "particle", " m/s is above", "speed_limit", "t = 0", "gap_failed.hdf", code=2)
+
+    def test_a_full_disk_leaves_the_last_checkpoint_whole(self):
+        def few_bytes():  # a file may be no larger; writing more fails as on a full disk
+            size = os.path.getsize(self.path("out", "gap_checkpoint_000000064.hdf"))
+            resource.setrlimit(resource.RLIMIT_FSIZE, (size // 2, size // 2))
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        self.ok(SPH, "run", "gap.hdf", "-o", "out", "-q", "--set", "solver.time_step=1e-5",
+                "--set", "solver.end_time=6.4e-4", "--set", "output.every=1")
+        end = self.path("out", "gap_end.hdf")
+        os.rename(end, self.path("out", "gap_checkpoint_000000064.hdf"))
+        done = subprocess.run([SPH, "resume", "out", "-q", "--set", "solver.end_time=0.01",
+                               "--set", "output.checkpoint_every=0.002"], cwd=self.folder,
+                              capture_output=True, text=True, preexec_fn=few_bytes)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("gap_checkpoint_", done.stderr)
+        self.assertIn("the last checkpoint is", done.stderr)
+        self.ok(SPH, "resume", "out", "-q", "--set", "solver.end_time=0.001")
 
     def test_no_folder_to_write_to(self):
         self.write("file", "")

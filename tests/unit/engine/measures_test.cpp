@@ -102,5 +102,34 @@ TEST(Measures, CountsParticlesThatLeftTheContainer) {
   EXPECT_EQ(countLeft(scene.particles, info), expected);
 }
 
+/// A container that all walls carry along moves with them.
+TEST(Measures, TheContainerMovesWithTheWalls) {
+  Scene<2> scene;
+  scene.info.spacing = 0.1;
+  scene.info.domain.lower = {{-0.4, -0.4}};
+  scene.info.domain.upper = {{1.4, 1.4}};
+  scene.particles = test::randomParticles<2>(test::unitBox<2>(false), 200, 0);
+  ContainerMap<2>& map = scene.info.container;  // the unit box, by its distance along x
+  map.lower = {{-1, -1}};
+  map.spacing = 0.05;
+  map.step = 0.01;
+  map.shape = {60, 60};
+  for (int k = 0; k < 3600; ++k)
+    map.counts.push_back(static_cast<std::int8_t>(
+        std::clamp(100 * (std::abs((k % 60 + 0.5) * 0.05 - 1.5) - 0.5), -127.0, 127.0)));
+  scene.info.walls = {{"vessel", "lattice", 4, 0.4, 1.0, {}}};
+  EXPECT_EQ(countLeft(scene.particles, scene.info), 0u);
+  EXPECT_EQ(countEscaped(scene.particles, scene.info), 0u);
+  for (Vec<2>& x : scene.particles[field::position]) x[0] += 3;
+  EXPECT_EQ(countLeft(scene.particles, scene.info), 200u);
+  EXPECT_EQ(countEscaped(scene.particles, scene.info), 200u);
+  scene.info.walls[0].motion.velocity = {1.5, 0, 0};
+  scene.info.time = 2;
+  EXPECT_EQ(countLeft(scene.particles, scene.info), 0u) << "the vessel went with them";
+  EXPECT_EQ(countEscaped(scene.particles, scene.info), 0u);
+  scene.particles[field::position][7][1] = 9;
+  EXPECT_EQ(countEscaped(scene.particles, scene.info), 1u);
+}
+
 }  // namespace
 }  // namespace plenum

@@ -179,12 +179,18 @@ std::string failure(Scene<2> scene, const SolverSettings& settings, double dt) {
   return "";
 }
 
-TEST(Preflight, AStepStopsBeforeItDoesHarm) {
+TEST(Preflight, RefusesAStepAboveItsLimit) {
   SolverSettings settings;  // h = .15 m, c = 10 m/s
-  settings.timeStep = 0.04;
-  EXPECT_NE(failure(gas(), settings, 0.04).find("longer than its limit 0.03 s"), std::string::npos);
-  settings.timeStep = {};
+  settings.timeStep = 0.0301;
+  EXPECT_NE(refusal(gas(), settings).find("longer than its limit 0.03 s"), std::string::npos);
+  settings.timeStep = 0.03;
+  EXPECT_EQ(refusal(gas(), settings), "");
+  settings.viscosity = ViscositySettings{{}, LaminarSettings{1}};
+  EXPECT_NE(refusal(gas(), settings).find("longer than its limit 0.0225 s"), std::string::npos);
+}
 
+TEST(Preflight, AStepStopsBeforeItDoesHarm) {
+  SolverSettings settings;
   Scene<2> fast = gas();
   fast.particles[field::velocity][4] = {{60, 0}};
   const std::string tooFast = failure(fast, settings, 1e-5);
