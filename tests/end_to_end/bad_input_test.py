@@ -202,7 +202,7 @@ class RunErrors(Programs):
 
     def test_a_particle_that_is_too_fast(self):
         with h5py.File(self.path("gap.hdf"), "r+") as f:
-            f["PartType0/Velocities"][-1] = [1000, 0, 0]
+            f["PartType0/Velocities"][0] = [1000, 0, 0]
         self.run_refused([], "particle", " m/s is above", "speed_limit", "t = 0", "gap_failed.hdf", code=2)
 
     def test_a_full_disk_leaves_the_last_checkpoint_whole(self):

@@ -42,7 +42,7 @@ TEST(Observers, AddWhatTheCaseNamesAndNothingElse) {
   Observers<2>(measuresOf("order = false"), state).addTo(row, state);
   EXPECT_EQ(namesOf(row), "");
   Observers<2>(measuresOf(""), state).addTo(row, state);
-  EXPECT_EQ(namesOf(row), "nn_min nn_mean f.1 f.5 f.85 psi6 void1 left ");
+  EXPECT_EQ(namesOf(row), "nn_min nn_mean f.1 f.5 f.85 psi6 void1 left escaped ");
 }
 
 TEST(Observers, GiveTheSameForAnyNumberOfThreads) {
