@@ -126,7 +126,7 @@ class InitialConditionsOfSwift(Sets):
             self.assertAlmostEqual(file["PartType0/Masses"][:].sum(), 12, delta=1e-10)
 
     def test_scenes_of_the_project(self):
-        for case in ("gas_box", "rotating_shaft", "hydrostatic_column"):
+        for case in ("gas_box", "rotating_shaft", "hydrostatic_tank"):
             self.ok(IC, "generate", f"{CASES}/{case}.toml", "-o", f"{case}.hdf", "--no-report")
             self.check(self.path(f"{case}.hdf"), 2)
 
