@@ -154,17 +154,15 @@ void check(const CaseNode& root, const CaseSettings& settings, const std::filesy
 
 }  // namespace
 
-CheckReport checkCase(const std::filesystem::path& path, const std::vector<std::string>& settings) {
+CheckReport checkCase(const std::filesystem::path& path, const std::vector<std::string>& settings,
+                      bool quick) {
   CheckReport report;
   report.caseName = path.string();
   CaseNode root;
   CaseSettings read;
   const bool isCase = report.findings.attempt([&] {
     root = CaseNode::load(path);
-    for (const std::string& assignment : settings) {
-      const auto [key, value] = CaseNode::splitAssignment(assignment);
-      root.set(key, value);
-    }
+    applyChanges(root, quick, settings);
     read = readCase(root);
   });
   if (!isCase) return report;

@@ -25,7 +25,8 @@ struct CheckReport {
 /// of the case is still checked. Up to `maxCounted` expected particles the case is filled, so that
 /// the checks of `generate` that need particles are made, too. `settings` are values "key=value"
 /// instead of the file's. Throws what is no fault of the input.
-CheckReport checkCase(const std::filesystem::path& path, const std::vector<std::string>& settings);
+CheckReport checkCase(const std::filesystem::path& path, const std::vector<std::string>& settings,
+                      bool quick = false);
 
 inline constexpr double maxCounted = 2e6;
 

@@ -36,7 +36,7 @@ Examples:
 Exit code: 0 done, 1 the input is at fault, 2 failure.)";
 
 int runCheck(const Options& options) {
-  const CheckReport report = checkCase(options.input, options.set);
+  const CheckReport report = checkCase(options.input, options.set, options.quick);
   if (!options.json.empty()) writeTextFile(options.json, toJson(report));
   if (!options.quiet || !report.findings.all().empty()) std::cout << describe(report);
   return report.findings.hasErrors() ? exitInputAtFault : exitOk;
@@ -92,6 +92,7 @@ int main(int argc, char** argv) {
     command
         ->add_option("--set", options.set, "a value of the case, instead of the file's: key=value")
         ->allow_extra_args(false);
+    command->add_flag("--quick", options.quick, "with the values of the case's table [quick]");
     command->add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
   };
 

@@ -40,12 +40,9 @@ void withDimension(int dimension, Visit&& visit) {
 
 bool isCase(const Options& options) { return fs::path(options.input).extension() != ".hdf"; }
 
-/// Sets the values of --set.
+/// Sets the values of --quick and --set.
 void apply(const Options& options, CaseNode& root) {
-  for (const std::string& assignment : options.set) {
-    const auto [key, value] = CaseNode::splitAssignment(assignment);
-    root.set(key, value);
-  }
+  applyChanges(root, options.quick, options.set);
 }
 
 /// Gives the case a [relax] table with what the command line says of it.

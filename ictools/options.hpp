@@ -12,6 +12,7 @@ struct Options {
   std::string input;
   std::string output;
   std::vector<std::string> set;
+  bool quick = false;
   bool quiet = false;
   bool markdown = false;
   bool noReport = false;

@@ -148,6 +148,9 @@ const Section<CaseSettings>& caseSection() {
           .node("refine", &S::refinements, "list of tables",
                 "places of finer spacing, of all fluids; where several reach, the finest counts")
           .node("relax", &S::relax, "table", "arranges the particles until they stand evenly")
+          .node("quick", &S::quick, "table",
+                "values of other keys (\"solver.end_time\" = 0.1) for a look that takes seconds: "
+                "`plenum-ic generate --quick`, `./run --quick`")
           .text("container", &S::container,
                 "region in which fluid may be, for the measures; absent: where it starts")
           .section("solver", &S::solver, solverSection())
@@ -155,6 +158,37 @@ const Section<CaseSettings>& caseSection() {
           .section("measures", &S::measures, measureSection())
           .sections("validate", &S::validations, validateSection());
   return section;
+}
+
+namespace {
+
+/// Values of a table by their whole keys: "solver.end_time".
+void collect(const CaseNode& table, const std::string& prefix,
+             std::vector<std::pair<std::string, const CaseNode*>>& values) {
+  for (const auto& [key, node] : table.asTable()) {
+    if (node.isTable())
+      collect(node, prefix + key + ".", values);
+    else
+      values.emplace_back(prefix + key, &node);
+  }
+}
+
+}  // namespace
+
+void applyChanges(CaseNode& root, bool quick, const std::vector<std::string>& assignments) {
+  if (quick) {
+    const CaseNode* table = root.find("quick");
+    if (table == nullptr)
+      throw InputError(root.fileName() + ": has no table [quick] that says what to reduce");
+    const CaseNode copy = *table;
+    std::vector<std::pair<std::string, const CaseNode*>> values;
+    collect(copy, "", values);
+    for (const auto& [key, node] : values) root.set(key, node->printed());
+  }
+  for (const std::string& assignment : assignments) {
+    const auto [key, value] = CaseNode::splitAssignment(assignment);
+    root.set(key, value);
+  }
 }
 
 CaseSettings readCase(const CaseNode& root) {

@@ -108,6 +108,7 @@ struct CaseSettings {
   std::optional<CaseNode> walls;
   std::optional<CaseNode> refinements;
   std::optional<CaseNode> relax;
+  std::optional<CaseNode> quick;
   std::string container;  ///< name of the region in which fluid may be; "": where fluid starts
   std::optional<SolverSettings> solver;
   std::optional<OutputSettings> output;
@@ -123,6 +124,9 @@ struct CaseSettings {
 const Section<SolverSettings>& solverSection();
 const Section<OutputSettings>& outputSection();
 const Section<CaseSettings>& caseSection();
+
+/// Sets what [quick] says, if that is asked for, then "key=value" pairs. Throws InputError.
+void applyChanges(CaseNode& root, bool quick, const std::vector<std::string>& assignments);
 
 /// Throws InputError for anything that is wrong in the parts that are read here.
 CaseSettings readCase(const CaseNode& root);
