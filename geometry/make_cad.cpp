@@ -2,6 +2,8 @@
 //
 // plenum-make-cad SOURCE_FOLDER OUTPUT_FOLDER: writes from the .geo scripts of cases/cad the same
 // geometry in every other format that Plenum reads.
+// plenum-make-cad --step SCRIPT.geo OUTPUT.step, --stl SCRIPT.geo OUTPUT.stl: one script, one
+// format.
 #include "geometry/cad_file.hpp"
 #include "geometry/gmsh_session.hpp"
 #include "particles/errors.hpp"
@@ -58,15 +60,17 @@ void writeStl(const fs::path& script, const fs::path& target, double tolerance) 
     out << "facet normal 0 0 0\nouter loop\n";
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec<3> x = cad.soup.corner(t, k);
-      out << fmt::format("vertex {} {} {}\n", x[0], x[1], x[2]);
+      out << fmt::format("vertex {:.9g} {:.9g} {:.9g}\n", x[0], x[1], x[2]);
     }
     out << "endloop\nendfacet\n";
   }
   out << "endsolid\n";
 }
 
+constexpr double fine = 1e-4;    // how far triangles may be from curved faces [m]
+constexpr double coarse = 5e-4;  // in files that are kept
+
 int makeAll(const fs::path& scripts, const fs::path& folder) {
-  constexpr double fine = 1e-4;  // [m]: some thousand triangles
   fs::create_directories(folder);
   for (const std::string name : {"annulus", "dam_water", "dam_room"}) {
     convert(scripts / (name + ".geo"), folder, 2, 256);
@@ -86,14 +90,22 @@ int makeStep(const fs::path& script, const fs::path& target) {
   return exitOk;
 }
 
+int makeStl(const fs::path& script, const fs::path& target) {
+  writeStl(script, target, coarse);
+  return exitOk;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc == 4 && std::string(argv[1]) == "--step")
     return plenum::runProgram("plenum-make-cad", [&] { return makeStep(argv[2], argv[3]); });
+  if (argc == 4 && std::string(argv[1]) == "--stl")
+    return plenum::runProgram("plenum-make-cad", [&] { return makeStl(argv[2], argv[3]); });
   if (argc != 3) {
     std::cerr << "usage: plenum-make-cad SOURCE_FOLDER OUTPUT_FOLDER\n"
-                 "       plenum-make-cad --step SCRIPT.geo OUTPUT.step\n";
+                 "       plenum-make-cad --step SCRIPT.geo OUTPUT.step\n"
+                 "       plenum-make-cad --stl SCRIPT.geo OUTPUT.stl\n";
     return plenum::exitInputAtFault;
   }
   return plenum::runProgram("plenum-make-cad", [&] { return makeAll(argv[1], argv[2]); });

@@ -16,13 +16,15 @@ template <int Dim>
 struct StepPasses {
   PairPass<Dim> densityGradient;  ///< writes densityGradient and moments, for `density`
   PairPass<Dim> density;          ///< writes density or velocityDivergence
+  PairPass<Dim> densityAtWalls;   ///< writes the rest of it, where `density` is of fluids alone
   PairPass<Dim> atWalls;          ///< writes what is before the walls
   PairPass<Dim> forces;           ///< writes force
   PairPass<Dim> collisions;       ///< writes impulse
   PairPass<Dim> concentration;    ///< writes kernelGradient and positionDivergence
 
-  std::array<const PairPass<Dim>*, 6> all() const {
-    return {&densityGradient, &density, &atWalls, &forces, &collisions, &concentration};
+  std::array<const PairPass<Dim>*, 7> all() const {
+    return {&densityGradient, &density,    &densityAtWalls, &atWalls,
+            &forces,          &collisions, &concentration};
   }
 };
 

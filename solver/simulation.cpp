@@ -232,18 +232,27 @@ void Simulation<Dim>::updateDensity(double dt) {
   if (passes_.densityGradient)
     updateDensityGradient(engine_, passes_.densityGradient, scene_.particles);
   engine_.run(passes_.density, scene_.particles);
-  const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  const auto density = scene_.particles[field::density];
-  const bool wallsToo = settings_.wallsEvolve();
   if (settings_.sumsDensity()) {
+    const auto integrating = engine_.stopwatch().lap(Part::integrate);
+    const auto density = scene_.particles[field::density];
     engine_.forEachSum(
-        wallsToo ? Group::all : Group::fluids, [&](std::size_t i, double sum) { density[i] = sum; },
-        field::density);
+        settings_.wallsEvolve() ? Group::all : Group::fluids,
+        [&](std::size_t i, double sum) { density[i] = sum; }, field::density);
     return;
   }
+  advanceDensity(dt);
+  if (!passes_.densityAtWalls) return;
+  engine_.run(passes_.densityAtWalls, scene_.particles);
+  advanceDensity(dt);
+}
+
+/// By the divergence of the velocity that the last pass summed.
+template <int Dim>
+void Simulation<Dim>::advanceDensity(double dt) {
+  const auto integrating = engine_.stopwatch().lap(Part::integrate);
   engine_.withSums(field::velocityDivergence, [&](const auto& divergences) {
     const auto [change, bad] = advance(
-        density, divergences, wallsToo,
+        scene_.particles[field::density], divergences, settings_.wallsEvolve(),
         [&](std::size_t, double rho, double div) { return rho * (1 - dt * div); },
         [&](std::size_t, double rho, double div) { return rho / (1 - dt * div); },
         [](double rho) { return rho > 0 && std::isfinite(rho); });

@@ -97,6 +97,7 @@ class Simulation {
   void stepEuler(double dt);
   void stepKickDriftKick(double dt);
   void updateDensity(double dt);
+  void advanceDensity(double dt);
   void updatePressure(double now);
   void sumForces(double now);
   void kick(double dt);

@@ -154,5 +154,42 @@ TEST(ShippedCases, Blob) {
   }
 }
 
+/// Of a wedge under a leaning wall, a half cylinder and a box, without the baffle [m^3].
+constexpr double waterOfVessel() {
+  constexpr double pi = 3.14159265358979, reach = 0.06712797, depth = 0.1;
+  constexpr double behindWall = 0.2 * (0.5 * reach * 0.08 + reach * 0.02);
+  constexpr double baffle = 0.025 * 0.14 * 0.05;
+  return depth * (0.3 * 0.2 + pi * 0.1 * 0.1 / 2) - behindWall - baffle;
+}
+
+TEST(ShippedCases, Vessel) {
+  const std::string name = "cad_vessel.toml";
+  const Changes coarse = {{"spacing", "0.0125"}};
+  const CaseNode root = caseOf(name, coarse);
+  const Scene<3> fromStep = sceneOf<3>(root);
+  const auto vessel = regionOf<3>(root, "vessel");
+  constexpr double tolerance = 5e-4;  // of the triangles in vessel.stl [m]
+  Changes changes = coarse;
+  changes.emplace_back("geometry.vessel", "{file=\"cad/vessel.stl\"}");
+  const CaseNode other = caseOf(name, changes);
+  const Scene<3> fromStl = sceneOf<3>(other);
+  // Chords of the half cylinder cut off two thirds of their largest distance from it.
+  const double cutOff = 2. / 3 * tolerance * 3.1416 * 0.1 * 0.1;
+  for (const CaseNode& each : {root, other})
+    EXPECT_NEAR(regionOf<3>(each, "water")->volume().value, waterOfVessel(), cutOff);
+  // The lattices are the same: what one set has and the other has not lies at the surface.
+  const auto a = sorted(fromStep, true, 1e-6), b = sorted(fromStl, true, 1e-6);
+  const auto rounded = [](Vec<3> x) {
+    for (int k = 0; k < 3; ++k) x[k] = std::round(x[k] / 1e-6);
+    return x.components;
+  };
+  std::vector<Vec<3>> different;
+  std::ranges::set_symmetric_difference(a, b, std::back_inserter(different), {}, rounded, rounded);
+  for (const Vec<3>& x : different) EXPECT_LE(std::abs(vessel->signedDistance(x)), tolerance);
+  // As many as there are in a layer of the tolerance along the half cylinder, and twice that.
+  EXPECT_LE(static_cast<double>(different.size()),
+            3 * tolerance * 3.1416 * 0.1 * 0.1 / std::pow(0.0125, 3));
+}
+
 }  // namespace
 }  // namespace plenum

@@ -2,9 +2,11 @@
 #include "solver/density_gradient.hpp"
 
 #include "engine/pass_of.hpp"
+#include "solver/simulation.hpp"
 #include "solver/terms.hpp"
 #include "tests/support/dimensions.hpp"
 #include "tests/support/jittered_scene.hpp"
+#include "tests/support/walled_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,51 @@ TEST(CorrectedGradient, UsesTheMixedMoments) {
   EXPECT_NEAR(2 * x[0] + 0.3 * x[1] + 0.2 * x[2], 1, 1e-14);  // some roundings of numbers near 1
   EXPECT_NEAR(0.3 * x[0] + 3 * x[1] + 0.1 * x[2], 2, 1e-14);
   EXPECT_NEAR(0.2 * x[0] + 0.1 * x[1] + 4 * x[2], 3, 1e-14);
+}
+
+/// Walls that keep a density of their own are no source of it.
+TEST(DensityDiffusion, TakesNothingFromWallsThatKeepTheirs) {
+  for (const double walls : {0.9, 1.0, 1.1}) {
+    Scene<2> scene = test::walledScene<2>(12, 0.2, 0);
+    for (double& rho : scene.particles[field::density].subspan(scene.particles.nFluid()))
+      rho = walls;
+    SolverSettings settings;
+    settings.density = "continuity";
+    settings.wallPressure = "initial";
+    settings.densityDiffusion = DensityDiffusionSettings{};
+    Simulation<2> simulation(std::move(scene), settings);
+    simulation.step(simulation.maxTimeStep());
+    const auto density = simulation.particles()[field::density];
+    for (std::size_t i = 0; i < simulation.particles().nFluid(); ++i) ASSERT_EQ(density[i], 1);
+  }
+}
+
+/// A jump inside the fluid is smoothed, and what one side loses the other one gets.
+TEST(DensityDiffusion, KeepsTheSumOfDensityBesideWalls) {
+  Scene<2> scene = test::walledScene<2>(12, 0.2, 0);
+  const std::size_t n = scene.particles.nFluid();
+  for (std::size_t i = 0; i < n; ++i)
+    scene.particles[field::density][i] = scene.particles[field::position][i][0] < 0.5 ? 1 : 1.01;
+  SolverSettings settings;
+  settings.density = "continuity";
+  settings.wallPressure = "extrapolated";
+  settings.densityDiffusion = DensityDiffusionSettings{};
+  settings.precision = "double";
+  Simulation<2> simulation(std::move(scene), settings);
+  const auto densities = [&] {
+    const auto all = simulation.particles()[field::density];
+    return std::vector<double>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
+  };
+  const std::vector<double> before = densities();
+  simulation.step(simulation.maxTimeStep());
+  const std::vector<double> after = densities();
+  double sum = 0, moved = 0;  // of V drho, with equal masses
+  for (std::size_t i = 0; i < n; ++i) {
+    sum += (after[i] - before[i]) / before[i];
+    moved += std::abs(after[i] - before[i]) / before[i];
+  }
+  EXPECT_GT(moved, 0.02 * 0.01 * 24);  // delta cfl of the jump, for a row of twelve on each side
+  EXPECT_LT(std::abs(sum), 1e-12 * static_cast<double>(n));  // rounding of so many densities near 1
 }
 
 }  // namespace
