@@ -226,6 +226,24 @@ TEST(Section, ListsOfTablesAndOfNumbers) {
   EXPECT_SAYS(doc.printed(), "[[toy]]  ");
 }
 
+TEST(Quick, SetsWhatTheTableSays) {
+  const std::string text =
+      "spacing = 0.1\n[solver]\nend_time = 2\n[[validate]]\nat_most = 1\n"
+      "[quick]\n\"solver.end_time\" = 0.5\nspacing = 0.2\n\"validate[0].at_most\" = 3\n";
+  const auto changed = [&](bool quick, const std::vector<std::string>& assignments) {
+    CaseNode root = CaseNode::parse(text, "f");
+    applyChanges(root, quick, assignments);
+    return std::vector{root.find("spacing")->asNumber(),
+                       root.find("solver")->find("end_time")->asNumber(),
+                       root.find("validate")->asArray()[0].find("at_most")->asNumber()};
+  };
+  EXPECT_EQ(changed(false, {}), (std::vector{0.1, 2.0, 1.0}));
+  EXPECT_EQ(changed(true, {}), (std::vector{0.2, 0.5, 3.0}));
+  EXPECT_EQ(changed(true, {"spacing=0.4"}), (std::vector{0.4, 0.5, 3.0})) << "--set comes last";
+  CaseNode none = CaseNode::parse("spacing = 0.1", "f");
+  EXPECT_SAYS(errorOf([&] { applyChanges(none, true, {}); }), "f: has no table [quick]");
+}
+
 TEST(Section, HelpAndDocsNameEveryKey) {
   for (const std::string& text :
        {toySection().doc("toy").printed(), toySection().doc("toy").markdown()})
