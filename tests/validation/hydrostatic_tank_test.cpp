@@ -86,7 +86,9 @@ TEST_P(HydrostaticTank, HasTheErrorOfItsKernel) {
                            row.asPrinted ? fmt::format(", source {:.2f} %", *row.asPrinted) : "");
   // The sway, up to 1 %, does not end with a whole period.
   EXPECT_NEAR(here.withSign, expected, 0.05);
-  if (row.asPrinted) EXPECT_NEAR(here.absolute, *row.asPrinted, 0.05);
+  if (row.asPrinted) {
+    EXPECT_NEAR(here.absolute, *row.asPrinted, 0.05);
+  }
 }
 
 /// No pair ever comes closer than .99 d_ref.

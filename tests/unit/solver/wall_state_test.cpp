@@ -97,7 +97,9 @@ TEST(WallState, AcceleratedWallsFeelTheDifferenceToGravity) {
   walls.update(engine, passes.atWalls, scene.particles, {.accelerations = falling});
   for (std::size_t i = scene.particles.nFluid(); i < scene.particles.size(); ++i) {
     const double p = scene.particles[field::pressure][i];
-    if (p != 0) EXPECT_NEAR(p, 5.0, 1e-13);  // a mean of 5.0s
+    if (p != 0) {
+      EXPECT_NEAR(p, 5.0, 1e-13);  // a mean of 5.0s
+    }
   }
 }
 
