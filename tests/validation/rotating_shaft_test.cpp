@@ -3,6 +3,8 @@
 // The rotating shaft of Kruisbrink et al. 2018, figure 6: clustering and leaking at walls.
 #include "tests/support/run_case.hpp"
 
+#include <fmt/format.h>
+
 #include <iostream>
 
 namespace plenum {
@@ -48,7 +50,7 @@ TEST_P(RotatingShaft, TheConvexKernelKeepsAllParticlesAndLeavesNoHoles) {
   for (int run = 0; run < nRuns; ++run) {
     const double step = 1e-4 * (1 - 0.002 * run);
     const auto row =
-        runShaft({{"solver.kernel", "convex"}, {"solver.time_step", std::to_string(step)}});
+        runShaft({{"solver.kernel", "convex"}, {"solver.time_step", fmt::format("{}", step)}});
     EXPECT_LE(valueOf(row, "left"), 1);
     EXPECT_LE(valueOf(row, "f.5"), 0.06);     // .03
     EXPECT_LE(valueOf(row, "void1"), 0.005);  // 0
