@@ -11,7 +11,7 @@ ic=$build/ictools/plenum-ic
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest dam)
+known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest dam vessel)
 chosen=("${@:-${known[@]}}")
 
 # The disk in which the first pictures are taken.
@@ -88,6 +88,10 @@ for name in "${chosen[@]}"; do
       dam dam_late_wendland dam_break_multiphase "Continuity, kernel (1.1), no collisions" \
         'solver.collisions.pairs="wall"' solver.wall_pressure=zero solver.collisions.range=0.85
       dam dam_late_collisions dam_break_multiphase "Continuity, kernel (1.1), collisions" ;;
+    vessel)  # ten minutes
+      "$ic" generate "$root/cases/cad_vessel.toml" -q --no-report -o "$work/vessel.hdf"
+      "$build/solver/plenum-sph" run "$work/vessel.hdf" -q -o "$work/vessel"
+      cp "$work/vessel/last.png" "$folder/cad_vessel.png" ;;
     relaxed_sets | densities | at_rest) measured "$name" ;;
     *) echo "make_figures.sh: $name: no such figure; known: ${known[*]}" >&2; exit 1 ;;
   esac
