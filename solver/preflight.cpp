@@ -114,9 +114,6 @@ void checkPhysics(const SceneInfo<Dim>& info, const SolverSettings& settings) {
            "set solver.density = \"continuity\"");
   if (manyDensities)
     refuse("would mix the densities of the fluids", "use solver.collisions or solver.shifting");
-  if (settings.wallPressure == "zero" && !info.walls.empty())
-    refuse("needs walls whose density is that of the fluid, and solver.wall_pressure = \"zero\"",
-           "set solver.wall_pressure = \"extrapolated\"");
 }
 
 /// A fixed step may be too long for sound or viscosity. Measured: a tank with alpha = 1 is stable

@@ -193,8 +193,6 @@ class RunErrors(Programs):
 
     def test_physics_that_do_not_go_together(self):
         self.run_refused(["solver.density_diffusion={}"], "density_diffusion", "continuity")
-        self.run_refused(["solver.density_diffusion={}", "solver.density=continuity"],
-                         "density_diffusion", "wall_pressure", "extrapolated")
 
     def test_a_step_above_its_limit(self):
         self.run_refused(["solver.time_step=1"], "solver.time_step = 1 s", "limit", "leave")

@@ -159,10 +159,6 @@ TEST(Preflight, RefusesDiffusionWhereItHasNoMeaning) {
   EXPECT_NE(refusal(scene, settings).find("solver.density = \"continuity\""), std::string::npos);
   settings.density = "continuity";
   EXPECT_EQ(refusal(scene, settings), "");
-  scene.info.walls = {{"floor", "lattice", 4, 0.4, 1.0, {}}};
-  EXPECT_NE(refusal(scene, settings).find("\"extrapolated\""), std::string::npos);
-  settings.wallPressure = "extrapolated";
-  EXPECT_EQ(refusal(scene, settings), "");
   scene.info.materials = {{"water", 1000, 20.0}, {"air", 1, 20.0}};
   scene.particles.add({field::material});
   EXPECT_NE(refusal(scene, settings).find("mix the densities"), std::string::npos);
