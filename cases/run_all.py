@@ -6,6 +6,7 @@ the exit code is 2 then, or if a verdict is FAILED."""
 import csv
 import json
 import pathlib
+import statistics
 import subprocess
 import sys
 import time
@@ -30,6 +31,31 @@ def conservation(folder):
             "momentum_drift": max(m for m in momentum if m is not None)}
 
 
+def benchmarks():
+    """Particles a second, walls included, of OUT/bench.json: of its smallest scenes with walls (dam_break)
+    and without (quiet_gas), by dimension, precision and threads."""
+    if not (out / "bench.json").exists():
+        return {}
+    with open(out / "bench.json") as f:
+        lines = json.load(f)["benchmarks"]
+    smallest = min(line["particles"] for line in lines)
+    rates = {}
+    for line in lines:
+        scene, dimension, precision = line["name"].split("/")[:3]
+        if line["particles"] < 4 * smallest:
+            key = (scene == "dam_break", int(dimension[0]), precision, line["threads"])
+            rates.setdefault(key, []).append(1e6 * line["million_particles_per_second"])
+    return {key: statistics.median(values) for key, values in rates.items()}
+
+
+def of_benchmark(result):
+    """Updates a second, walls included, over those of the benchmark like it; None if it was not run."""
+    key = (result["wall_particles"] > 0, result["dimension"], result["precision"], result["threads"])
+    particles = result["fluid_particles"] + result["wall_particles"]
+    rate = result["updates_per_second"] * particles / result["fluid_particles"]
+    return rate / rates[key] if key in rates else None
+
+
 def run(case):
     """What a case came to, and what it printed if it failed."""
     name, folder = case.stem, out / case.stem
@@ -47,6 +73,7 @@ def run(case):
         result.update(json.load(f))
     result["case"] = name
     result["conservation"] = conservation(folder)
+    result["of_benchmark"] = of_benchmark(result)
     verdicts = []
     if (folder / "validation.json").exists():
         with open(folder / "validation.json") as f:
@@ -63,16 +90,18 @@ def row(result):
     for v in result["validation"]:
         count[v["verdict"]] = count.get(v["verdict"], 0) + 1
     kept = result["conservation"]
+    share = "-" if result["of_benchmark"] is None else f"{100 * result['of_benchmark']:.0f} %"
     return (f"{result['case']:<24}{result['dimension']:>3}{result['fluid_particles']:>9}"
             f"{result['wall_particles']:>8}{result['steps']:>8}{result['seconds']:>9.1f}"
-            f"{result['updates_per_second'] / 1e6:>11.2f}{result['bytes_per_particle']:>8.0f}"
+            f"{result['updates_per_second'] / 1e6:>11.2f}{share:>9}{result['bytes_per_particle']:>7.0f}"
             f"{kept['energy_first']:>11.4g}{kept['energy_drift']:>11.2g}"
             f"{kept['momentum_drift']:>11.1g}"
             f"   {', '.join(f'{n} {v}' for v, n in sorted(count.items())) or '-'}")
 
 
 print(f"{'case':<24}{'dim':>3}{'fluid':>9}{'walls':>8}{'steps':>8}{'time [s]':>9}{'M updates/s':>12}"
-      f"{'bytes':>7}{'energy [J]':>11}{'drift':>11}{'momentum':>11}   verdicts")
+      f"{'of bench':>9}{'bytes':>7}{'energy [J]':>11}{'drift':>11}{'momentum':>11}   verdicts")
+rates = benchmarks()
 results = []
 for path in sorted(cases.glob("*.toml")):
     results.append(run(path))
@@ -85,6 +114,8 @@ for r in failed:
             print(f"{r['case']}: FAILED: {json.dumps(v)}")
 with open(out / "summary.json", "w") as f:
     json.dump(results, f, indent=2)
-print(f"bytes: a particle, neighbour list included; drift, momentum: the largest change of total "
-      f"energy [J]\nand of momentum [kg m/s]; all of it: {out / 'summary.json'}")
+print(f"M updates/s: fluid particles that steps move on a second, without measures and files; of bench: "
+      f"with\nwalls, over the like scene of ./run --bench (-: not run); bytes: a particle, neighbour list "
+      f"included;\ndrift, momentum: the largest change of total energy [J] and of momentum [kg m/s]; "
+      f"all of it: {out / 'summary.json'}")
 sys.exit(2 if failed else 0)

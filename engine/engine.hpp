@@ -167,6 +167,7 @@ class Engine {
 
   /// Where the time of the steps went; whoever moves the particles counts its part, too.
   Stopwatch& stopwatch() { return watch_; }
+  const Stopwatch& stopwatch() const { return watch_; }
 
  private:
   /// What pairs are computed from and to, in clusters.

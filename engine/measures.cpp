@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/measures.hpp"
 
+#include "engine/container_move.hpp"
 #include "engine/ordered_sum.hpp"
 #include "engine/point_search.hpp"
 #include "particles/parallel.hpp"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace plenum {
 
@@ -95,43 +95,6 @@ SpacingSums sumsOf(const Shell<Dim>& shell, double spacing) {
   return s;
 }
 
-/// The grid of sampling points over a box, at about `wanted` [m].
-template <int Dim>
-struct SampleGrid {
-  std::array<std::size_t, Dim> shape;
-  Vec<Dim> lower, edge;
-  std::size_t size = 1;
-
-  SampleGrid(const Box<Dim>& box, double wanted) : lower(box.lower) {
-    for (int a = 0; a < Dim; ++a) {
-      const double length = box.upper[a] - box.lower[a];
-      const auto n = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(length / wanted)));
-      shape[static_cast<std::size_t>(a)] = n;
-      edge[a] = length / static_cast<double>(n);
-      size *= n;
-    }
-  }
-
-  Vec<Dim> point(std::size_t index) const {
-    Vec<Dim> x;
-    for (int a = 0; a < Dim; ++a) {
-      const std::size_t n = shape[static_cast<std::size_t>(a)];
-      x[a] = lower[a] + edge[a] * (static_cast<double>(index % n) + 0.5);
-      index /= n;
-    }
-    return x;
-  }
-};
-
-struct VoidSums {
-  double points = 0, holes = 0;
-  VoidSums& operator+=(const VoidSums& b) {
-    points += b.points;
-    holes += b.holes;
-    return *this;
-  }
-};
-
 }  // namespace
 
 template <int Dim>
@@ -204,59 +167,6 @@ std::vector<Neighbourhood> neighbourhoods(const ParticleSet<Dim>& particles, con
   return result;
 }
 
-namespace {
-
-/// The motion of the container, if it has one: that of the walls, if all move as one.
-template <int Dim>
-const RigidMotion* containerMotion(const SceneInfo<Dim>& info) {
-  if (info.walls.empty() || info.walls.front().motion.isStill()) return nullptr;
-  const RigidMotion& first = info.walls.front().motion;
-  const bool isCommon =
-      std::ranges::all_of(info.walls, [&](const Wall& wall) { return wall.motion == first; });
-  return isCommon ? &first : nullptr;
-}
-
-/// Where a point of the container at `before` [s] is at `after`.
-template <int Dim>
-auto containerMove(const SceneInfo<Dim>& info, double before, double after) {
-  std::optional<Displacement> displacement;
-  if (const RigidMotion* motion = containerMotion(info))
-    displacement.emplace(*motion, before, after);
-  return [displacement](const Vec<Dim>& x) { return displacement ? displacement->moved(x) : x; };
-}
-
-}  // namespace
-
-template <int Dim>
-double measureVoids(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info,
-                    bool freeSurface) {
-  constexpr unsigned allOrthants = (1u << (1u << Dim)) - 1;  // one bit an orthant
-  const double spacing = info.spacing;
-  const PointSearch<Dim> search(particles[field::position], info.domain,
-                                (freeSurface ? 2 : 1) * spacing);
-  const SampleGrid<Dim> grid(info.container.empty() ? info.domain : info.container.bounds(),
-                             spacing / 3);
-  const auto toNow = containerMove(info, info.startTime, info.time);
-  const auto sums = orderedSum<VoidSums>(grid.size, [&](std::size_t k) {
-    const Vec<Dim> x = grid.point(k);
-    VoidSums s;
-    if (info.container.signedDistance(x) >= 0) return s;
-    double nearest = std::numeric_limits<double>::infinity();
-    unsigned orthants = 0;
-    search.around(toNow(x), [&](std::uint32_t, const Vec<Dim>& d, double d2) {
-      nearest = std::min(nearest, d2);
-      unsigned orthant = 0;
-      for (int a = 0; a < Dim; ++a) orthant |= (d[a] > 0 ? 1u : 0u) << a;
-      orthants |= 1u << orthant;
-    });
-    if (freeSurface && orthants != allOrthants) return s;
-    s.points = 1;
-    s.holes = nearest > spacing * spacing;
-    return s;
-  });
-  return sums.points > 0 ? sums.holes / sums.points : 0;
-}
-
 template <int Dim>
 std::size_t countLeft(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info) {
   if (info.container.empty()) return 0;
@@ -282,13 +192,10 @@ template SpacingMeasures measureSpacing<2>(const ParticleSet<2>&, const Box<2>&,
 template SpacingMeasures measureSpacing<3>(const ParticleSet<3>&, const Box<3>&, double);
 template std::vector<Neighbourhood> neighbourhoods(const ParticleSet<1>&, const Box<1>&,
                                                    std::span<const double>);
-template double measureVoids<1>(const ParticleSet<1>&, const SceneInfo<1>&, bool);
 template std::vector<Neighbourhood> neighbourhoods(const ParticleSet<2>&, const Box<2>&,
                                                    std::span<const double>);
-template double measureVoids<2>(const ParticleSet<2>&, const SceneInfo<2>&, bool);
 template std::vector<Neighbourhood> neighbourhoods(const ParticleSet<3>&, const Box<3>&,
                                                    std::span<const double>);
-template double measureVoids<3>(const ParticleSet<3>&, const SceneInfo<3>&, bool);
 template std::size_t countLeft<1>(const ParticleSet<1>&, const SceneInfo<1>&);
 template std::size_t countLeft<2>(const ParticleSet<2>&, const SceneInfo<2>&);
 template std::size_t countLeft<3>(const ParticleSet<3>&, const SceneInfo<3>&);

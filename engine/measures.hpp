@@ -44,13 +44,6 @@ std::vector<Neighbourhood> neighbourhoods(const ParticleSet<Dim>& particles, con
 
 /// The container moves with the walls, if all of them move as one.
 ///
-/// void1: share of the points of a grid (spacing d_ref/3) in the container that are further than
-/// d_ref from any particle, walls included. With a free surface only those points count that have
-/// particles within 2 d_ref in all quadrants (octants in 3-D).
-template <int Dim>
-double measureVoids(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info,
-                    bool freeSurface);
-
 /// Fluid particles further than d_ref/2 outside the container.
 template <int Dim>
 std::size_t countLeft(const ParticleSet<Dim>& particles, const SceneInfo<Dim>& info);

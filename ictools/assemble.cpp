@@ -126,7 +126,9 @@ void addWall(const WallFill<Dim>& wall, int row, std::size_t first, const SceneF
   for (std::size_t k = 0; k < wall.points.size(); ++k) {
     const WallPoint<Dim>& point = wall.points[k];
     const std::size_t i = particles.nFluid() + first + k;
-    const FluidState here = isPassive ? FluidState{0, wall.density} : state(point.position);
+    FluidState here = isPassive ? FluidState{0, wall.density} : state(point.position);
+    // A wall above the surface of a liquid at rest does not pull.
+    if (settings.hydrostatic && here.pressure < 0) here = state.withPressure(0);
     particles[field::position][i] = point.position;
     particles[field::velocity][i] = motion.velocityAt(point.position);
     particles[field::density][i] = here.density;

@@ -91,7 +91,8 @@ SceneInfo<Dim> sceneInfo(const CaseNode& root, const CaseSettings& settings,
   for (const auto& fluid : fluids)
     info.materials.push_back({fluid.settings.name, fluid.settings.density,
                               fluid.settings.soundSpeed, fluid.settings.taitExponent,
-                              fluid.settings.backgroundPressure, fluid.settings.dynamicViscosity});
+                              fluid.settings.backgroundPressure, fluid.settings.dynamicViscosity,
+                              fluid.settings.cavitationPressure});
   for (const auto& wall : walls)
     info.walls.push_back({wall.settings.name, wall.settings.method, wall.layers, wall.thickness,
                           wall.density, wall.motion});

@@ -222,6 +222,9 @@ const Section<FluidSettings>& fluidSection() {
                   "p0 of this fluid; absent: solver.background_pressure")
           .number("dynamic_viscosity", &S::dynamicViscosity, "Pa s m^(3-d)", Range::positive(),
                   "mu of this fluid; absent: solver.viscosity.laminar.dynamic_viscosity")
+          .number("cavitation_pressure", &S::cavitationPressure, "Pa m^(3-d)", Range::any(),
+                  "below which the pressure of this fluid does not fall; absent: "
+                  "solver.cavitation_pressure")
           .text("mass", &S::mass,
                 "cell: density times the lattice's cell; exact: density times the region's exact "
                 "volume over the number of particles; absent: cell, or exact with positions",

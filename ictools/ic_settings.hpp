@@ -67,10 +67,11 @@ struct FluidSettings {
   int seed = 1;
   double jitter = 0;  ///< [d_ref]
   double density = 1;
-  std::optional<double> soundSpeed;  ///< [m/s]; this and the next three: absent: as [solver]
+  std::optional<double> soundSpeed;  ///< [m/s]; this and the next four: absent: as [solver]
   std::optional<double> taitExponent;
   std::optional<double> backgroundPressure;  ///< [Pa m^(3-d)]
   std::optional<double> dynamicViscosity;    ///< [Pa s m^(3-d)]
+  std::optional<double> cavitationPressure;  ///< [Pa m^(3-d)]
   std::string mass = "cell";
   std::string equalMassWith;  ///< the fluid whose particles have the same mass; "": spacing d_ref
   std::vector<double> velocity;

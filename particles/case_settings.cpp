@@ -83,6 +83,10 @@ const Section<SolverSettings>& solverSection() {
                   "p0 of the equation of state")
           .number("tait_exponent", &S::taitExponent, "", Range::between(1, 20),
                   "gamma of the equation of state")
+          .number(
+              "cavitation_pressure", &S::cavitationPressure, "Pa m^(3-d)", Range::any(),
+              "pressures of liquids, and of walls that follow their equations, fall no lower: with "
+              "0 water pulls neither at itself nor at walls; absent: no limit")
           .section("viscosity", &S::viscosity, viscositySection())
           .section("collisions", &S::collisions, collisionSection())
           .section("density_diffusion", &S::densityDiffusion, densityDiffusionSection())

@@ -58,9 +58,10 @@ struct SolverSettings {
   double smoothingLength = 1.5;  ///< h / d_ref
   std::string density = "summation";
   std::string momentum = "matching";
-  double soundSpeed = 10;         ///< [m/s]
-  double backgroundPressure = 0;  ///< p0 [Pa m^(3-d)]
-  double taitExponent = 1;        ///< gamma
+  double soundSpeed = 10;                    ///< [m/s]
+  double backgroundPressure = 0;             ///< p0 [Pa m^(3-d)]
+  double taitExponent = 1;                   ///< gamma
+  std::optional<double> cavitationPressure;  ///< the least [Pa m^(3-d)]; absent: none
   std::optional<ViscositySettings> viscosity;
   std::optional<CollisionSettings> collisions;
   std::optional<DensityDiffusionSettings> densityDiffusion;

@@ -23,6 +23,7 @@ struct Material {
   std::optional<double> taitExponent = {};        ///< gamma
   std::optional<double> backgroundPressure = {};  ///< p0 [Pa m^(3-d)]
   std::optional<double> dynamicViscosity = {};    ///< [Pa s m^(3-d)]
+  std::optional<double> cavitationPressure = {};  ///< [Pa m^(3-d)]
 };
 
 struct Wall {

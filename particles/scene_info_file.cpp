@@ -36,11 +36,12 @@ void writeColumn(const hdf5::Group& group, const std::string& name, const std::v
 }
 
 /// What a material may have of its own, by the name of its column; NaN where it has not.
-constexpr std::array<std::pair<const char*, std::optional<double> Material::*>, 4> ownValues{{
+constexpr std::array<std::pair<const char*, std::optional<double> Material::*>, 5> ownValues{{
     {"SoundSpeed", &Material::soundSpeed},
     {"TaitExponent", &Material::taitExponent},
     {"BackgroundPressure", &Material::backgroundPressure},
     {"DynamicViscosity", &Material::dynamicViscosity},
+    {"CavitationPressure", &Material::cavitationPressure},
 }};
 
 void writeMaterials(const hdf5::Group& group, const std::vector<Material>& materials) {

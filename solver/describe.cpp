@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 namespace plenum {
 
 namespace {
@@ -28,6 +30,8 @@ std::string phaseLines(const Phases& phases, const std::vector<Material>& materi
         "p0 = {:g}",
         materials[k].name, state.referenceDensity, state.soundSpeed, state.exponent,
         state.backgroundPressure);
+    if (std::isfinite(state.cavitationPressure))
+      text += fmt::format(", p >= {:g}", state.cavitationPressure);
     if (s.laminar()) text += fmt::format(", mu = {:g}", phases[k].dynamicViscosity);
     text += "\n";
   }

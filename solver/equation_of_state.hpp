@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace plenum {
 
 /// Tait's equation of state in MacDonald's form, [C] (2.4):
-/// p = p0 + rho0 c^2/gamma ((rho/rho0)^gamma - 1)   [Pa m^(3-d)].
+/// p = p0 + rho0 c^2/gamma ((rho/rho0)^gamma - 1)   [Pa m^(3-d)],
+/// and not below the pressure at which the fluid cavitates.
 struct Tait {
-  double referenceDensity = 1;    ///< rho0 [kg/m^d]
-  double soundSpeed = 10;         ///< c [m/s]
-  double backgroundPressure = 0;  ///< p0 [Pa m^(3-d)]
-  double exponent = 1;            ///< gamma
+  double referenceDensity = 1;                                           ///< rho0 [kg/m^d]
+  double soundSpeed = 10;                                                ///< c [m/s]
+  double backgroundPressure = 0;                                         ///< p0 [Pa m^(3-d)]
+  double exponent = 1;                                                   ///< gamma
+  double cavitationPressure = -std::numeric_limits<double>::infinity();  ///< [Pa m^(3-d)]
 
-  double pressure(double density) const {
-    const double stiffness = soundSpeed * soundSpeed * referenceDensity / exponent;
-    const double ratio = density / referenceDensity;
-    if (exponent == 1) return backgroundPressure + stiffness * (ratio - 1);
-    return backgroundPressure +
-           stiffness * ((exponent == 7 ? seventhPower(ratio) : std::pow(ratio, exponent)) - 1);
-  }
+  double pressure(double density) const { return std::max(elastic(density), cavitationPressure); }
 
-  /// The density at which the pressure is p   [kg/m^d]; NaN if there is none.
+  /// The density at which the pressure is p without cavitation   [kg/m^d]; NaN if there is none.
   double density(double p) const {
     const double stiffness = soundSpeed * soundSpeed * referenceDensity / exponent;
     const double ratio = 1 + (p - backgroundPressure) / stiffness;
@@ -33,6 +31,21 @@ struct Tait {
 
   /// Specific energy of compression from rho0, the integral of p/rho^2 d rho   [J/kg].
   double compressionEnergy(double density) const {
+    if (!(elastic(density) < cavitationPressure)) return elasticEnergy(density);
+    const double least = this->density(cavitationPressure);
+    return elasticEnergy(least) + cavitationPressure * (1 / least - 1 / density);
+  }
+
+ private:
+  double elastic(double density) const {
+    const double stiffness = soundSpeed * soundSpeed * referenceDensity / exponent;
+    const double ratio = density / referenceDensity;
+    if (exponent == 1) return backgroundPressure + stiffness * (ratio - 1);
+    return backgroundPressure +
+           stiffness * ((exponent == 7 ? seventhPower(ratio) : std::pow(ratio, exponent)) - 1);
+  }
+
+  double elasticEnergy(double density) const {
     const double ratio = density / referenceDensity;
     const double c2 = soundSpeed * soundSpeed;
     const double atReference = backgroundPressure - referenceDensity * c2 / exponent;
@@ -41,7 +54,6 @@ struct Tait {
     return constantPart + c2 / (exponent * (exponent - 1)) * (std::pow(ratio, exponent - 1) - 1);
   }
 
- private:
   /// Water's exponent, a tenth of what std::pow costs.
   static double seventhPower(double x) {
     const double cube = x * x * x;

@@ -10,7 +10,9 @@ namespace {
 Tait stateOf(double density, const Material& material, const SolverSettings& s) {
   return {density, material.soundSpeed.value_or(s.soundSpeed),
           material.backgroundPressure.value_or(s.backgroundPressure),
-          material.taitExponent.value_or(s.taitExponent)};
+          material.taitExponent.value_or(s.taitExponent),
+          material.cavitationPressure.value_or(
+              s.cavitationPressure.value_or(Tait{}.cavitationPressure))};
 }
 
 }  // namespace

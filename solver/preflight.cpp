@@ -104,6 +104,17 @@ void checkPhysics(const SceneInfo<Dim>& info, const SolverSettings& settings) {
             "where they differ, tait_exponent, background_pressure, dynamic_viscosity) and run "
             "plenum-ic generate again",
             material.name));
+  for (const Material& material : materials) {
+    const double p0 = material.backgroundPressure.value_or(settings.backgroundPressure);
+    const auto least =
+        material.cavitationPressure ? material.cavitationPressure : settings.cavitationPressure;
+    if (least && *least > p0)
+      throw InputError(
+          fmt::format("fluid \"{}\": cavitation_pressure = {:g} is above its background_pressure = "
+                      "{:g}: it would "
+                      "not stand still at its reference density; lower the one or raise the other",
+                      material.name, *least, p0));
+  }
   if (!settings.densityDiffusion) return;
   const auto refuse = [](const char* why, const char* remedy) {
     throw InputError(fmt::format("solver.density_diffusion {}; {}, or leave density_diffusion out",

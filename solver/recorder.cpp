@@ -154,10 +154,11 @@ void Recorder<Dim>::drawFirst(const Simulation<Dim>& simulation) const {
 
 template <int Dim>
 void Recorder<Dim>::finish(const Simulation<Dim>& simulation,
-                           const std::vector<ValidationResult>& validation) const {
+                           const std::vector<ValidationResult>& validation,
+                           const ActivityClock& clock) const {
   draw(simulation, "last.png");
   writeParticleFile(options_.folder / (options_.name + "_end.hdf"), simulation.scene());
-  writeSummary(simulation);
+  writeSummary(simulation, clock);
   if (!validation.empty()) writeValidation(options_.folder / "validation.json", validation);
 }
 
@@ -176,7 +177,27 @@ std::string Recorder<Dim>::saveFailed(const Simulation<Dim>& simulation) const n
 }
 
 template <int Dim>
-void Recorder<Dim>::writeSummary(const Simulation<Dim>& simulation) const {
+double Recorder<Dim>::updatesPerSecond(const Simulation<Dim>& simulation,
+                                       const ActivityClock& clock) const {
+  const double updates = static_cast<double>(simulation.nSteps() - earlierSteps_) *
+                         static_cast<double>(simulation.particles().nFluid());
+  const double seconds = clock.seconds(Activity::stepping);
+  return seconds > 0 ? updates / seconds : 0;
+}
+
+template <int Dim>
+std::string Recorder<Dim>::speed(const Simulation<Dim>& simulation,
+                                 const ActivityClock& clock) const {
+  return fmt::format(
+      "{:.3g} million updates of fluid particles a second ({:.3g} s; measures {:.3g} s, files "
+      "{:.3g} s)",
+      1e-6 * updatesPerSecond(simulation, clock), clock.seconds(Activity::stepping),
+      clock.seconds(Activity::measuring), clock.seconds(Activity::writing));
+}
+
+template <int Dim>
+void Recorder<Dim>::writeSummary(const Simulation<Dim>& simulation,
+                                 const ActivityClock& clock) const {
   using Json = nlohmann::ordered_json;
   const ParticleSet<Dim>& particles = simulation.particles();
   Json figures, units, fields = Json::array();
@@ -185,8 +206,10 @@ void Recorder<Dim>::writeSummary(const Simulation<Dim>& simulation) const {
     if (!f.unit.empty()) units[f.name] = f.unit;
   }
   particles.forEachField([&](const FieldInfo& info, auto) { fields.push_back(info.name); });
-  const double updates = static_cast<double>(simulation.nSteps() - earlierSteps_) *
-                         static_cast<double>(particles.nFluid());
+  Json parts;
+  for (std::size_t k = 0; k < partNames.size(); ++k)
+    parts[std::string(partNames[k])] =
+        simulation.engine().stopwatch().seconds(static_cast<Part>(k));
   const Json summary{
       {"title", simulation.info().title},
       {"case", simulation.info().caseName},
@@ -202,7 +225,14 @@ void Recorder<Dim>::writeSummary(const Simulation<Dim>& simulation) const {
       {"units", units},
       {"fields", fields},
       {"bytes_per_particle", simulation.bytesPerParticle()},
-      {"updates_per_second", updates / (wallClock() - earlierWallClock_)},
+      {"updates_per_second", updatesPerSecond(simulation, clock)},
+      {"activity_seconds",
+       {{"stepping", clock.seconds(Activity::stepping)},
+        {"measuring", clock.seconds(Activity::measuring)},
+        {"writing", clock.seconds(Activity::writing)}}},
+      {"step_seconds", parts},
+      {"precision", simulation.settings().precision},
+      {"threads", omp_get_max_threads()},
   };
   writeTextFile(options_.folder / "summary.json", summary.dump(2) + "\n");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "particles/pvd_writer.hpp"
+#include "solver/activity_clock.hpp"
 #include "solver/history.hpp"
 #include "solver/run.hpp"
 #include "solver/simulation.hpp"
@@ -32,8 +33,8 @@ class Recorder {
   void addRow(std::vector<Figure> row);              ///< the next row of history.csv
   void drawFirst(const Simulation<Dim>& simulation) const;
   /// The last picture, the end file, the summary and, if the case asks for some, the verdicts.
-  void finish(const Simulation<Dim>& simulation,
-              const std::vector<ValidationResult>& validation) const;
+  void finish(const Simulation<Dim>& simulation, const std::vector<ValidationResult>& validation,
+              const ActivityClock& clock) const;
 
   /// Writes the state as it stands when a run fails, NAME_failed.hdf, .vtu and failed.png. Returns
   /// a sentence that says where it is, or why it could not be written; throws nothing.
@@ -41,12 +42,16 @@ class Recorder {
 
   const std::vector<Figure>& lastRow() const { return row_; }
   double wallClock() const;  ///< since the run began [s]
+  /// Fluid particles that this session moved on in a second of stepping, and what else took time;
+  /// for people.
+  std::string speed(const Simulation<Dim>& simulation, const ActivityClock& clock) const;
 
  private:
   void removeOldFiles(bool isContinued, std::size_t nStates) const;
   std::filesystem::path stateFile(std::size_t number) const;
   void draw(const Simulation<Dim>& simulation, const std::string& fileName) const;
-  void writeSummary(const Simulation<Dim>& simulation) const;
+  double updatesPerSecond(const Simulation<Dim>& simulation, const ActivityClock& clock) const;
+  void writeSummary(const Simulation<Dim>& simulation, const ActivityClock& clock) const;
 
   RunOptions options_;
   CaseSettings settings_;

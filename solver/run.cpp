@@ -47,7 +47,10 @@ class Run {
     Progress progress("run", solver_.endTime - simulation_.runStart(), options_.quiet);
     try {
       while (simulation_.time() < solver_.endTime) {
-        simulation_.advanceTo(nextTime(), [&] { return mayGoOn(progress); });
+        {
+          const auto stepping = clock_.lap(Activity::stepping);
+          simulation_.advanceTo(nextTime(), [&] { return mayGoOn(progress); });
+        }
         serveDueTimes();
         if (simulation_.time() < solver_.endTime && mayStop()) return stopped();
       }
@@ -55,7 +58,8 @@ class Run {
       throw RunError(std::string(error.what()) + "; " + recorder_->saveFailed(simulation_) +
                      hintOfCheckpoints());
     }
-    progress.finish(fmt::format("{} steps", simulation_.nSteps()));
+    progress.finish(
+        fmt::format("{} steps, {}", simulation_.nSteps(), recorder_->speed(simulation_, clock_)));
     return finished();
   }
 
@@ -101,10 +105,12 @@ class Run {
   void serveDueTimes() {
     const double time = simulation_.time();
     if (rows_.isDue(time)) {
+      const auto measuring = clock_.lap(Activity::measuring);
       addRow(measureState(simulation_, observers_, recorder_->wallClock()));
       rows_.advance();
     }
     if (states_.isDue(time)) {
+      const auto writing = clock_.lap(Activity::writing);
       recorder_->addState(simulation_);
       states_.advance();
     }
@@ -134,6 +140,7 @@ class Run {
   }
 
   std::filesystem::path writeCheckpoint() {
+    const auto writing = clock_.lap(Activity::writing);
     lastCheckpoint_ = std::chrono::steady_clock::now();
     return checkpoints_.write(simulation_);
   }
@@ -151,7 +158,7 @@ class Run {
     simulation_.notePause();
     simulation_.describeState(fmt::format("plenum-sph {}", version), std::move(figures));
     RunResult result{recorder_->lastRow(), validation_->evaluate(), 0, {}};
-    recorder_->finish(simulation_, result.validation);
+    recorder_->finish(simulation_, result.validation, clock_);
     return result;
   }
 
@@ -172,6 +179,7 @@ class Run {
   std::chrono::steady_clock::time_point lastCheckpoint_ = std::chrono::steady_clock::now();
   std::optional<Validation> validation_;
   std::optional<Recorder<Dim>> recorder_;
+  ActivityClock clock_;
 };
 
 }  // namespace

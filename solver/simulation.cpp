@@ -4,10 +4,11 @@
 #include "engine/derived_fields.hpp"
 #include "particles/errors.hpp"
 #include "particles/parallel.hpp"
-#include "solver/advance.hpp"
 #include "solver/density_gradient.hpp"
+#include "solver/integrate.hpp"
 #include "solver/preflight.hpp"
 #include "solver/shifting.hpp"
+#include "solver/time_step.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,17 +19,6 @@
 namespace plenum {
 
 namespace {
-
-constexpr auto isFiniteVector = [](const auto& v) { return std::isfinite(normSquared(v)); };
-
-/// The largest |vector(i)|, i < n.
-template <class Vector>
-double largestNorm(std::size_t n, Vector&& vector) {
-  double largest = 0;
-#pragma omp parallel for schedule(static) reduction(max : largest) if (n >= worthThreads)
-  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, normSquared(vector(i)));
-  return std::sqrt(largest);
-}
 
 /// The scene itself, after the checks that everything else relies on.
 template <int Dim>
@@ -87,7 +77,7 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings, bo
   scene_.particles.remove(scene_.particles.fields().without(needed));
   setConstants();
   if (isContinued_ && (hasAcceleration || !settings_.kicksTwice()))
-    restore();
+    goOn();
   else
     begin();
 }
@@ -131,11 +121,9 @@ template <int Dim>
 void Simulation<Dim>::begin() {
   isContinued_ = false;
   scene_.info.progress.clear();
-  runStart_ = time();
-  largestAcceleration_ = norm(gravity_);
-  fastest_ = largestNorm(scene_.particles.nFluid(), [&](std::size_t i) {
-    return std::as_const(scene_.particles)[field::velocity][i];
-  });
+  record_.runStart = time();
+  record_.largestAcceleration = norm(gravity_);
+  record_.fastest = largestFluidSpeed();
   engine_.update(scene_.particles);
   if (settings_.sumsDensity()) updateDensity(0);  // the first state shown is the run's own
   updatePressure(time());
@@ -144,51 +132,35 @@ void Simulation<Dim>::begin() {
   storeAcceleration();
 }
 
+/// The state in which a run stopped.
 template <int Dim>
-void Simulation<Dim>::restore() {
-  const auto& progress = scene_.info.progress;
-  const auto value = [&](const char* name) {
-    const auto found =
-        std::ranges::find(progress, name, [](const auto& figure) { return figure.first; });
-    if (found == progress.end())
-      throw InputError(
-          fmt::format("the file says that a run paused here, but not its {}; start a "
-                      "new one with `plenum-sph run`",
-                      name));
-    return found->second;
-  };
-  nSteps_ = static_cast<long>(value("step"));
-  runStart_ = value("run_start");
-  largestAcceleration_ = value("largest_acceleration");
-  fastest_ = value("fastest");
-  wallLoads_.restore(progress);
+void Simulation<Dim>::goOn() {
+  record_.restore(scene_.info.progress);
+  wallLoads_.restore(scene_.info.progress);
 }
 
 template <int Dim>
 bool Simulation<Dim>::mayPause() const {
   constexpr long stepsBetween = 64;
-  return nSteps_ % stepsBetween == 0 || engine_.isOld();
+  return record_.nSteps % stepsBetween == 0 || engine_.isOld();
 }
 
 template <int Dim>
 void Simulation<Dim>::notePause() {
-  scene_.info.progress = {{"step", static_cast<double>(nSteps_)},
-                          {"run_start", runStart_},
-                          {"largest_acceleration", largestAcceleration_},
-                          {"fastest", fastest_}};
+  scene_.info.progress = record_.progress();
   std::ranges::copy(wallLoads_.progress(), std::back_inserter(scene_.info.progress));
 }
 
 template <int Dim>
 void Simulation<Dim>::step(double dt) {
-  if (nSteps_ > 0 && mayPause()) engine_.forget();
+  if (record_.nSteps > 0 && mayPause()) engine_.forget();
   if (settings_.kicksTwice())
     stepKickDriftKick(dt);
   else
     stepEuler(dt);
   wallLoads_.elapse(dt);
   scene_.info.time += dt;
-  ++nSteps_;
+  ++record_.nSteps;
 }
 
 template <int Dim>
@@ -197,10 +169,10 @@ void Simulation<Dim>::stepEuler(double dt) {
   updateDensity(dt);
   updatePressure(time());
   sumForces(time());
-  kick(dt);
+  kickByForces(dt);
   collide();
   shiftParticles(dt);
-  drift(dt);
+  driftParticles(dt);
   moveWalls(time() + dt);
 }
 
@@ -208,13 +180,13 @@ template <int Dim>
 void Simulation<Dim>::stepKickDriftKick(double dt) {
   kickByAcceleration(dt / 2);
   if (settings_.sumsDensity()) {
-    drift(dt);
+    driftParticles(dt);
   } else {
-    drift(dt / 2);
+    driftParticles(dt / 2);
     moveWalls(time() + dt / 2);
     engine_.update(scene_.particles);
     updateDensity(dt);
-    drift(dt / 2);
+    driftParticles(dt / 2);
   }
   moveWalls(time() + dt);
   engine_.update(scene_.particles);
@@ -229,35 +201,19 @@ void Simulation<Dim>::stepKickDriftKick(double dt) {
 
 template <int Dim>
 void Simulation<Dim>::updateDensity(double dt) {
-  if (passes_.densityGradient)
-    updateDensityGradient(engine_, passes_.densityGradient, scene_.particles);
-  engine_.run(passes_.density, scene_.particles);
-  if (settings_.sumsDensity()) {
-    const auto integrating = engine_.stopwatch().lap(Part::integrate);
-    const auto density = scene_.particles[field::density];
-    engine_.forEachSum(
-        settings_.wallsEvolve() ? Group::all : Group::fluids,
-        [&](std::size_t i, double sum) { density[i] = sum; }, field::density);
-    return;
-  }
-  advanceDensity(dt);
-  if (!passes_.densityAtWalls) return;
-  engine_.run(passes_.densityAtWalls, scene_.particles);
-  advanceDensity(dt);
-}
-
-/// By the divergence of the velocity that the last pass summed.
-template <int Dim>
-void Simulation<Dim>::advanceDensity(double dt) {
-  const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  engine_.withSums(field::velocityDivergence, [&](const auto& divergences) {
-    const auto [change, bad] = advance(
-        scene_.particles[field::density], divergences, settings_.wallsEvolve(),
-        [&](std::size_t, double rho, double div) { return rho * (1 - dt * div); },
-        [&](std::size_t, double rho, double div) { return rho / (1 - dt * div); },
-        [](double rho) { return rho > 0 && std::isfinite(rho); });
+  ParticleSet<Dim>& particles = scene_.particles;
+  if (passes_.densityGradient) updateDensityGradient(engine_, passes_.densityGradient, particles);
+  const auto advance = [&] {
+    const auto [change, bad] = advanceDensities(engine_, particles, dt, settings_.wallsEvolve());
     if (bad) fail("the density is no longer positive and finite", *bad);
-  });
+  };
+  engine_.run(passes_.density, particles);
+  if (settings_.sumsDensity())
+    return takeSummedDensities(engine_, particles, settings_.wallsEvolve());
+  advance();
+  if (!passes_.densityAtWalls) return;
+  engine_.run(passes_.densityAtWalls, particles);
+  advance();
 }
 
 template <int Dim>
@@ -305,55 +261,28 @@ void Simulation<Dim>::fail(const std::string& what, std::size_t i) const {
       "particle {} at ({:.4g}): {} at t = {:.6g} s, step {}: likely a time step that is too large, "
       "particles that overlap or a wall that is missing; try --set solver.time_step={:.2g}",
       particles[field::id][i], fmt::join(particles[field::position][i].components, ", "), what,
-      time(), nSteps_, 0.05 * smoothingLength() / phases_.largestSoundSpeed()));
+      time(), record_.nSteps, 0.05 * smoothingLength() / phases_.largestSoundSpeed()));
 }
 
 template <int Dim>
-void Simulation<Dim>::kick(double dt) {
-  const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  const auto mass = std::as_const(scene_.particles)[field::mass];
-  engine_.withSums(field::force, [&](const auto& forces) {
-    const auto acceleration = [&](std::size_t i, const Vec<Dim>& force) {
-      return (1 / mass[i]) * force + gravity_;
-    };
-    const auto [change, bad] = advance(
-        scene_.particles[field::velocity], forces, false,
-        [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& force) {
-          return v + dt * acceleration(i, force);
-        },
-        [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& force) {
-          return v - dt * acceleration(i, force);
-        },
-        isFiniteVector);
-    if (bad) fail("the force is not finite", *bad);
-    largestAcceleration_ = change / dt;
-  });
+void Simulation<Dim>::kickByForces(double dt) {
+  const auto [change, bad] = kick(engine_, scene_.particles, gravity_, dt);
+  if (bad) fail("the force is not finite", *bad);
+  record_.largestAcceleration = change / dt;
   wallLoads_.act(dt);
 }
 
 template <int Dim>
 void Simulation<Dim>::storeAcceleration() {
-  const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  const auto mass = std::as_const(scene_.particles)[field::mass];
-  engine_.withSums(field::force, [&](const auto& forces) {
-    const auto stored = scene_.particles[field::acceleration];
-    const auto [change, bad] = advance(
-        stored, forces, false,
-        [&](std::size_t i, const Vec<Dim>&, const Vec<Dim>& force) {
-          return (1 / mass[i]) * force + gravity_;
-        },
-        [&](std::size_t i, const Vec<Dim>&, const Vec<Dim>&) { return stored[i]; }, isFiniteVector);
-    if (bad) fail("the force is not finite", *bad);
-    largestAcceleration_ = largestNorm(stored.size(), [&](std::size_t i) { return stored[i]; });
-  });
+  const auto [change, bad] = storeAccelerations(engine_, scene_.particles, gravity_);
+  if (bad) fail("the force is not finite", *bad);
+  record_.largestAcceleration =
+      largestNorm<Dim>(std::as_const(scene_.particles)[field::acceleration]);
 }
 
 template <int Dim>
 void Simulation<Dim>::kickByAcceleration(double dt) {
-  const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  const auto velocity = scene_.particles[field::velocity];
-  const auto acceleration = std::as_const(scene_.particles)[field::acceleration];
-  forEachIndex(acceleration.size(), [&](std::size_t i) { velocity[i] += dt * acceleration[i]; });
+  kickByAccelerations(engine_, scene_.particles, dt);
   wallLoads_.act(dt);
 }
 
@@ -361,45 +290,22 @@ template <int Dim>
 void Simulation<Dim>::collide() {
   if (!passes_.collisions) return;
   engine_.run(passes_.collisions, scene_.particles);
-  const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  const auto mass = std::as_const(scene_.particles)[field::mass];
   if (measuresLoads_)
     wallLoads_.addImpulses(engine_, scene_.particles, wallMotion_.centers(time()));
-  engine_.withSums(field::impulse, [&](const auto& impulses) {
-    const auto [change, bad] = advance(
-        scene_.particles[field::velocity], impulses, false,
-        [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& impulse) {
-          return v + (1 / mass[i]) * impulse;
-        },
-        [&](std::size_t i, const Vec<Dim>& v, const Vec<Dim>& impulse) {
-          return v - (1 / mass[i]) * impulse;
-        },
-        isFiniteVector);
-    if (bad) fail("the change of velocity by collisions is not finite", *bad);
-  });
+  const auto [change, bad] = takeImpulses(engine_, scene_.particles);
+  if (bad) fail("the change of velocity by collisions is not finite", *bad);
 }
 
 template <int Dim>
-void Simulation<Dim>::drift(double dt) {
-  const auto integrating = engine_.stopwatch().lap(Part::integrate);
-  const auto position = scene_.particles[field::position];
-  const auto velocity = std::as_const(scene_.particles)[field::velocity];
-  const std::size_t n = scene_.particles.nFluid();
-  fastest_ = largestNorm(n, [&](std::size_t i) { return velocity[i]; });
+void Simulation<Dim>::driftParticles(double dt) {
+  record_.fastest = largestFluidSpeed();
   requireSpeedLimit();
-  forEachIndex(n, [&](std::size_t i) { position[i] += dt * velocity[i]; });
-  wrapPositions();
-  engine_.moved(dt * fastest_);
+  drift(engine_, scene_.info.domain, scene_.particles, dt, record_.fastest);
 }
 
 template <int Dim>
-void Simulation<Dim>::wrapPositions() {
-  const Box<Dim>& domain = scene_.info.domain;
-  if (!domain.anyPeriodic()) return;
-  const auto position = scene_.particles[field::position].first(scene_.particles.nFluid());
-  forEachIndex(position.size(), [&](std::size_t i) {
-    if (!domain.contains(position[i])) position[i] = domain.wrap(position[i]);
-  });
+double Simulation<Dim>::largestFluidSpeed() const {
+  return largestNorm<Dim>(scene_.particles[field::velocity].first(scene_.particles.nFluid()));
 }
 
 template <int Dim>
@@ -413,19 +319,13 @@ void Simulation<Dim>::shiftParticles(double dt) {
   engine_.run(passes_.concentration, scene_.particles);
   const auto integrating = engine_.stopwatch().lap(Part::integrate);
   engine_.moved(shift(*settings_.shifting, smoothingLength(), dt, engine_, scene_.particles));
-  wrapPositions();
+  wrapPositions(scene_.info.domain, scene_.particles);
 }
 
 template <int Dim>
 double Simulation<Dim>::maxTimeStep() const {
-  if (settings_.timeStep) return *settings_.timeStep;
-  const double h = smoothingLength(), c = phases_.largestSoundSpeed();
-  const double bySignal = h / (c + fastest_);
-  const double byForce = largestAcceleration_ > 0 ? std::sqrt(h / largestAcceleration_) : bySignal;
-  double step = settings_.cfl * std::min(bySignal, byForce);
-  if (const double nu = phases_.largestKinematicViscosity(); nu > 0)
-    step = std::min(step, 0.125 * h * h / nu);
-  if (!(step > 1e-6 * h / c) && !(step > 1e-3 * h * h / phases_.largestKinematicViscosity()))
+  const double h = smoothingLength(), step = longestTimeStep(settings_, phases_, h, record_);
+  if (!settings_.timeStep && isSenseless(step, phases_, h))
     fail("the fastest of all, makes the cfl time step fall below a millionth of h/c",
          fastestParticle());
   return step;
@@ -434,15 +334,15 @@ double Simulation<Dim>::maxTimeStep() const {
 template <int Dim>
 std::size_t Simulation<Dim>::fastestParticle() const {
   const auto velocity = scene_.particles[field::velocity].first(scene_.particles.nFluid());
-  const auto isFastest = [&](const Vec<Dim>& v) { return !(norm(v) < fastest_); };
+  const auto isFastest = [&](const Vec<Dim>& v) { return !(norm(v) < record_.fastest); };
   return static_cast<std::size_t>(std::ranges::find_if(velocity, isFastest) - velocity.begin());
 }
 
 template <int Dim>
 void Simulation<Dim>::requireSpeedLimit() const {
   const double limit = settings_.speedLimit * phases_.largestSoundSpeed();
-  if (fastest_ <= limit) return;
-  fail(fmt::format("its speed {:g} m/s is above solver.speed_limit = {:g} c", fastest_,
+  if (record_.fastest <= limit) return;
+  fail(fmt::format("its speed {:g} m/s is above solver.speed_limit = {:g} c", record_.fastest,
                    settings_.speedLimit),
        fastestParticle());
 }

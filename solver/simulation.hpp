@@ -6,6 +6,7 @@
 #include "particles/scene.hpp"
 #include "solver/pair_pass.hpp"
 #include "solver/phases.hpp"
+#include "solver/step_record.hpp"
 #include "solver/wall_loads.hpp"
 #include "solver/wall_motion.hpp"
 #include "solver/wall_state.hpp"
@@ -40,12 +41,11 @@ class Simulation {
   template <class AfterStep>
   bool advanceTo(double target, AfterStep&& afterStep);
 
-  /// cfl min(h/(c + |v|), sqrt(h/|a|)) over all fluid particles, at most h^2/(8 nu) (Morris et al.
-  /// 1997), or the fixed step of the case [s]. Throws RunError if it has become senselessly small.
+  /// As time_step.hpp has it [s]. Throws RunError if it has become senselessly small.
   double maxTimeStep() const;
 
   double time() const { return scene_.info.time; }
-  long nSteps() const { return nSteps_; }
+  long nSteps() const { return record_.nSteps; }
   const SceneInfo<Dim>& info() const { return scene_.info; }
   const ParticleSet<Dim>& particles() const { return scene_.particles; }
   const Engine<Dim>& engine() const { return engine_; }
@@ -69,7 +69,7 @@ class Simulation {
   /// Notes in the scene what a run needs to go on. To be called where it may pause.
   void notePause();
   /// The time at which the run began that this one goes on with, or now [s].
-  double runStart() const { return runStart_; }
+  double runStart() const { return record_.runStart; }
   bool isContinued() const { return isContinued_; }
 
   bool measuresLoads() const { return measuresLoads_; }
@@ -92,22 +92,21 @@ class Simulation {
   FieldSet neededFields() const;
   void setConstants();
   void begin();
-  void restore();
+  void goOn();
 
   void stepEuler(double dt);
   void stepKickDriftKick(double dt);
   void updateDensity(double dt);
-  void advanceDensity(double dt);
   void updatePressure(double now);
   void sumForces(double now);
-  void kick(double dt);
+  void kickByForces(double dt);
   void storeAcceleration();
   void kickByAcceleration(double dt);
   void collide();
-  void drift(double dt);
+  void driftParticles(double dt);
   void moveWalls(double time);
   void shiftParticles(double dt);
-  void wrapPositions();
+  double largestFluidSpeed() const;
   std::size_t fastestParticle() const;
   void requireSpeedLimit() const;
   [[noreturn]] void fail(const std::string& what, std::size_t particle) const;
@@ -125,10 +124,7 @@ class Simulation {
   std::vector<Vec<Dim>> wallAccelerations_;  // empty if no wall moves [m/s^2]
   std::vector<Vec<Dim>> towardsSurface_;     // empty if no wall moves [m/s]
   WallLoads<Dim> wallLoads_;
-  double largestAcceleration_ = 0;  // of a fluid particle in the last step [m/s^2]
-  double fastest_ = 0;              // its speed [m/s]
-  long nSteps_ = 0;
-  double runStart_ = 0;  // [s]
+  StepRecord record_;
   bool isContinued_ = false;
 };
 

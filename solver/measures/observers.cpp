@@ -2,6 +2,7 @@
 #include "solver/measures/observers.hpp"
 
 #include "engine/measures.hpp"
+#include "engine/voids.hpp"
 
 #include <fmt/format.h>
 

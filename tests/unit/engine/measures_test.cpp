@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/measures.hpp"
 
+#include "engine/voids.hpp"
+
 #include "tests/support/random_particles.hpp"
 
 #include <gtest/gtest.h>

@@ -132,6 +132,7 @@ void expectSame(const SceneInfo<Dim>& a, const SceneInfo<Dim>& b) {
     EXPECT_EQ(a.materials[k].taitExponent, b.materials[k].taitExponent);
     EXPECT_EQ(a.materials[k].backgroundPressure, b.materials[k].backgroundPressure);
     EXPECT_EQ(a.materials[k].dynamicViscosity, b.materials[k].dynamicViscosity);
+    EXPECT_EQ(a.materials[k].cavitationPressure, b.materials[k].cavitationPressure);
   }
   ASSERT_EQ(a.walls.size(), b.walls.size());
   for (std::size_t k = 0; k < a.walls.size(); ++k) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace plenum {
 namespace {
 
@@ -33,6 +35,23 @@ TEST(Tait, CompressionEnergyIsTheIntegralOfPressureOverDensitySquared) {
     }
     EXPECT_NEAR(eos.compressionEnergy(rho1), integral, 1e-6 * integral);
     EXPECT_NEAR(eos.compressionEnergy(rho0), 0, 1e-12);
+  }
+}
+
+TEST(Tait, PressureStopsAtCavitation) {
+  for (Tait eos : {water, stiffWater}) {
+    const Tait elastic = eos;
+    eos.cavitationPressure = -2e3;
+    EXPECT_EQ(eos.pressure(900), -2e3);
+    EXPECT_EQ(eos.pressure(1000), elastic.pressure(1000));
+    EXPECT_EQ(eos.pressure(1100), elastic.pressure(1100));
+    double integral = 0;
+    const int n = 20000;  // midpoint rule with a kink: relative error about 1e-8
+    for (int k = 0; k < n; ++k) {
+      const double rho = 1000 - 100 * (k + 0.5) / n;
+      integral -= eos.pressure(rho) / (rho * rho) * 100 / n;
+    }
+    EXPECT_NEAR(eos.compressionEnergy(900), integral, 1e-6 * std::abs(integral));
   }
 }
 

@@ -28,6 +28,16 @@ TEST(Phases, MaterialsOverruleTheSolver) {
   EXPECT_FALSE(phases.differInViscosity());
 }
 
+TEST(Phases, CavitateAsTheySay) {
+  SolverSettings s = settings();
+  const std::vector<Material> materials{{"water", 1000, {}, {}, {}, {}, 1.0}, {"oil", 900, 20.0}};
+  EXPECT_EQ(Phases(materials, s)[0].state.pressure(900), 1);
+  EXPECT_LT(Phases(materials, s)[1].state.pressure(800), -1000);
+  s.cavitationPressure = -5;
+  EXPECT_EQ(Phases(materials, s)[0].state.pressure(900), 1);
+  EXPECT_EQ(Phases(materials, s)[1].state.pressure(800), -5);
+}
+
 TEST(Phases, ViscosityOnlyWhereItIsModelled) {
   SolverSettings s = settings();
   const std::vector<Material> materials{{"oil", 900, {}, {}, {}, 0.09}, {"water", 1000}};

@@ -32,6 +32,16 @@ TEST(Preflight, RefusesAnEmptySet) {
   EXPECT_NE(refusal(scene).find("no fluid particle"), std::string::npos);
 }
 
+TEST(Preflight, RefusesALiquidThatCavitatesAtItsReferenceDensity) {
+  SolverSettings settings;
+  settings.backgroundPressure = 2;
+  settings.cavitationPressure = 2;
+  EXPECT_EQ(refusal(gas(), settings), "");
+  settings.cavitationPressure = 3;
+  EXPECT_NE(refusal(gas(), settings).find("cavitation_pressure = 3 is above"), std::string::npos)
+      << refusal(gas(), settings);
+}
+
 TEST(Preflight, NamesTheMissingField) {
   Scene<2> scene = gas();
   scene.particles.remove({field::mass});
