@@ -38,7 +38,7 @@ def benchmarks():
         return {}
     with open(out / "bench.json") as f:
         lines = [line for line in json.load(f)["benchmarks"] if "particles" in line]
-    smallest = min(line["particles"] for line in lines)
+    smallest = min((line["particles"] for line in lines), default=0)
     rates = {}
     for line in lines:
         scene, dimension, precision = line["name"].split("/")[:3]

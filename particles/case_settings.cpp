@@ -32,7 +32,8 @@ Section<ViscositySettings> viscositySection() {
 
 Section<DensityDiffusionSettings> densityDiffusionSection() {
   Section<DensityDiffusionSettings> section(
-      "diffusion of density between fluid particles (delta-SPH, Marrone et al. 2011); absent: "
+      "diffusion of density between particles that have one of their own (delta-SPH, Marrone et "
+      "al. 2011); absent: "
       "none");
   section.number("delta", &DensityDiffusionSettings::delta, "", Range::above(0, 1), "its strength");
   return section;

@@ -30,6 +30,7 @@ Section<ProbeSettings> probeSection() {
       .required()
       .vector("point", &S::point, "m", "where")
       .required()
+      .text("material", &S::material, materialMeaning)
       .condition(requireName<S>);
 }
 
@@ -44,6 +45,7 @@ Section<GaugeSettings> gaugeSection() {
       .number("dry", &S::dry, "m", Range::any(),
               "height to write while there is no fluid, the height of the ground say; absent: an "
               "empty cell")
+      .text("material", &S::material, materialMeaning)
       .condition(requireName<S>)
       .condition([](const S& gauge, const CaseNode& table, int dimension) {
         if (dimension == 1) table.fail("a case of one dimension has no surface to gauge");
@@ -163,8 +165,9 @@ const Section<MeasureSettings>& measureSection() {
           .flag("free_surface", &S::freeSurface,
                 "holes count only between particles: within 2 d_ref in every quadrant")
           .flag("order", &S::order,
-                "nn_min, nn_mean, f.1, f.5, f.85, psi6, void1 and left; a row with them costs as "
-                "much as some tens of steps")
+                "nn_min, nn_mean, f.1, f.5, f.85, psi6, void1, left and escaped; a row with them "
+                "costs "
+                "as much as some ten steps")
           .flag("loads", &S::loads,
                 "WALL_force_x ... and WALL_torque_z ... of each wall, the mean since the last row")
           .sections("probe", &S::probes, probeSection())

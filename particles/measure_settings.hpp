@@ -15,12 +15,14 @@ namespace plenum {
 struct ProbeSettings {
   std::string name;
   std::vector<double> point;  ///< [m]
+  std::string material = {};  ///< name of a fluid; "": all
 };
 
 struct GaugeSettings {
   std::string name;
   std::vector<double> point;  ///< horizontal place, one component less than the case [m]
   std::optional<double> dry;  ///< height while no fluid is there [m]; absent: an empty cell
+  std::string material = {};  ///< name of a fluid; "": all
 };
 
 struct FrontSettings {

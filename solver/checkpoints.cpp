@@ -43,6 +43,9 @@ fs::path Checkpoints::write(Simulation<Dim>& simulation) const {
   const fs::path path =
       folder_ / fmt::format("{}_checkpoint_{:09}.hdf", name_, simulation.nSteps());
   writeParticleFile(path, simulation.scene());
+  simulation.forgetPause();
+  for (const char* last : {"_end.hdf", "_failed.hdf"})  // what the run went on from
+    fs::remove(folder_ / (name_ + last));
   const std::vector<fs::path> files = all();
   const std::size_t nOld = files.size() - std::min(files.size(), static_cast<std::size_t>(nKept_));
   for (std::size_t k = 0; k < nOld; ++k)

@@ -9,7 +9,7 @@ namespace plenum {
 
 /// Sums over all fluid particles; conserved where no wall acts.
 struct Conserved {
-  double mass = 0;                          ///< [kg m^(d-3)]
+  double mass = 0;                          ///< [kg]
   double kineticEnergy = 0;                 ///< [J]
   double potentialEnergy = 0;               ///< in gravity, zero at the origin [J]
   double compressionEnergy = 0;             ///< of the equation of state, zero at rho0 [J]

@@ -12,7 +12,7 @@ namespace plenum {
 template <int Dim>
 Vec<Dim> correctedGradient(const Vec<Dim>& sum, const Vec<Dim>& diagonal, const Vec<Dim>& mixed);
 
-/// Sets field::densityGradient of all particles of `group`.
+/// Sets field::densityGradient of all particles that the pass names.
 template <int Dim>
 void updateDensityGradient(Engine<Dim>& engine, const PairPass<Dim>& pass,
                            ParticleSet<Dim>& particles);

@@ -26,6 +26,7 @@ struct Tait {
   double density(double p) const {
     const double stiffness = soundSpeed * soundSpeed * referenceDensity / exponent;
     const double ratio = 1 + (p - backgroundPressure) / stiffness;
+    if (!(ratio > 0)) return std::numeric_limits<double>::quiet_NaN();
     return referenceDensity * (exponent == 1 ? ratio : std::pow(ratio, 1 / exponent));
   }
 

@@ -76,15 +76,27 @@ History::History(std::filesystem::path path, double time) : path_(std::move(path
   if (!out_) throw RunError(writeFailure(path_, errno));
 }
 
+void History::requireColumns(const std::filesystem::path& path,
+                             const std::vector<Figure>& figures) {
+  std::ifstream in(path);
+  std::string header;
+  if (!std::getline(in, header) || header == headerOf(figures)) return;
+  throw InputError(fmt::format(
+      "{}: has other columns than this run would have; resume without --set measures, or "
+      "into another folder by --output",
+      path.string()));
+}
+
 void History::add(const std::vector<Figure>& figures) {
   std::string line;
   if (header_.empty()) {
     header_ = headerOf(figures);
     line = header_ + "\n";
   }
-  for (std::size_t k = 0; k < figures.size(); ++k)
-    line += (k == 0 ? "" : ",") +
-            (std::isnan(figures[k].value) ? "" : fmt::format("{:.12g}", figures[k].value));
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    if (k > 0) line += ',';
+    if (!std::isnan(figures[k].value)) line += fmt::format("{:.12g}", figures[k].value);
+  }
   errno = 0;
   out_ << line << '\n' << std::flush;
   if (!out_) throw RunError(writeFailure(path_, errno != 0 ? errno : EIO));

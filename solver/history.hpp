@@ -13,6 +13,9 @@ namespace plenum {
 /// as it is added, so that a run can be watched and a killed one leaves what it had.
 class History {
  public:
+  /// Throws InputError if a file is there and has other columns than `figures`.
+  static void requireColumns(const std::filesystem::path& path, const std::vector<Figure>& figures);
+
   /// A new file. Throws RunError if it cannot be written.
   explicit History(std::filesystem::path path);
   /// Goes on with the file, if there is one: the rows until `time` [s] are kept, what comes after

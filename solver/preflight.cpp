@@ -104,6 +104,19 @@ void checkPhysics(const SceneInfo<Dim>& info, const SolverSettings& settings) {
             "where they differ, tait_exponent, background_pressure, dynamic_viscosity) and run "
             "plenum-ic generate again",
             material.name));
+  if (settings.wallsExtrapolate() && !info.walls.empty()) {
+    const Phases phases(materials, settings);
+    for (std::size_t k = 0; k < phases.size(); ++k)
+      if (std::isnan(phases[k].state.density(0)))
+        throw InputError(fmt::format(
+            "solver.wall_pressure = \"extrapolated\": walls do not pull, and fluid \"{}\" has no "
+            "density "
+            "at pressure 0 (its background_pressure is {:g}, rho0 c^2/gamma = {:g}); lower "
+            "background_pressure, or use wall_pressure = \"equation_of_state\"",
+            materials[k].name, phases[k].state.backgroundPressure,
+            phases[k].state.referenceDensity * phases[k].state.soundSpeed *
+                phases[k].state.soundSpeed / phases[k].state.exponent));
+  }
   for (const Material& material : materials) {
     const double p0 = material.backgroundPressure.value_or(settings.backgroundPressure);
     const auto least =

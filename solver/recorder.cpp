@@ -99,7 +99,9 @@ void Recorder<Dim>::removeOldFiles(bool isContinued, std::size_t nStates) const 
     const bool isCheckpoint = std::regex_match(rest, checkpoint);
     hasCheckpoints = hasCheckpoints || isCheckpoint;
     hasEnded = hasEnded || rest == "end.hdf" || rest == "failed.hdf";
-    if (isCheckpoint && isContinued) continue;
+    if (isContinued && isCheckpoint && std::stol(rest.substr(11)) <= earlierSteps_) continue;
+    // What the run may go on from stays until a checkpoint or its end takes its place.
+    if (isContinued && rest.ends_with(".hdf") && !isCheckpoint) continue;
     if (std::regex_match(rest, state) && isContinued && rest.ends_with(".vtu") &&
         std::isdigit(static_cast<unsigned char>(rest.front())) != 0 && std::stoul(rest) < nStates)
       continue;

@@ -19,10 +19,10 @@ template <int Dim>
 class Recorder {
  public:
   /// Makes the folder and removes what an earlier run of this name left there; of a run that goes
-  /// on, what came after the simulation's time. `stateTimes` are those of the VTU files that the
-  /// run has written until then [s]. Throws InputError for output settings that name unknown fields
-  /// or fields that the run does not model, and for a folder that holds a run of another name or
-  /// the checkpoints of one that has not come to its end.
+  /// on, what came after the simulation's time, but for its end file. `stateTimes` are those of the
+  /// VTU files that the run has written until then [s]. Throws InputError for output settings that
+  /// name unknown fields or fields that the run does not model, and for a folder that holds a run
+  /// of another name or the checkpoints of one that has not come to its end.
   Recorder(const RunOptions& options, const CaseSettings& settings,
            const Simulation<Dim>& simulation, const std::vector<double>& stateTimes);
 

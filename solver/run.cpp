@@ -55,6 +55,7 @@ class Run {
         if (simulation_.time() < solver_.endTime && mayStop()) return stopped();
       }
     } catch (const std::exception& error) {
+      simulation_.forgetPause();  // a step that failed is no place to go on from
       throw RunError(std::string(error.what()) + "; " + recorder_->saveFailed(simulation_) +
                      hintOfCheckpoints());
     }
@@ -72,6 +73,7 @@ class Run {
     }
     const std::vector<Figure> row = measureState(simulation_, observers_, 0);
     requireDistinct(row);
+    if (simulation_.isContinued()) History::requireColumns(options_.folder / "history.csv", row);
     validation_.emplace(settings_.validations, row);
     recorder_.emplace(options_, settings_, simulation_, stateTimes);
     if (!options_.quiet) std::cout << describeModel(simulation_) << std::flush;
@@ -187,7 +189,8 @@ class Run {
 template <int Dim>
 RunResult runScene(Scene<Dim> scene, const CaseSettings& settings, const RunOptions& options) {
   const SolverSettings solver = settings.solverOrDefaults();
-  checkTimes(settings, scene.info.time, solver.smoothingLength * scene.info.spacing);
+  checkTimes(settings, scene.info.time, solver.smoothingLength * scene.info.spacing,
+             Phases(scene.info.materials, solver).largestSoundSpeed());
   return Run<Dim>(std::move(scene), settings, options)();
 }
 

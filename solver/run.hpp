@@ -36,8 +36,9 @@ CaseSettings settingsOf(SceneInfo<Dim>& info, const std::vector<std::string>& ch
                         bool isContinued = false);
 
 /// Refuses times that cannot be meant; warns of a fixed step that is likely too long. `start` is
-/// the time of the state [s], h the smoothing length [m].
-void checkTimes(const CaseSettings& settings, double start, double h);
+/// the time of the state [s], h the smoothing length [m], c the
+/// largest speed of sound [m/s].
+void checkTimes(const CaseSettings& settings, double start, double h, double c);
 
 /// Runs a scene to its end time and writes VTU files, their .pvd, history.csv, summary.json,
 /// pictures of the first and the last state, checkpoints, and the last state as a particle file. A

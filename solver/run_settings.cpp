@@ -47,7 +47,7 @@ CaseSettings settingsOf(SceneInfo<Dim>& info, const std::vector<std::string>& ch
   return settings;
 }
 
-void checkTimes(const CaseSettings& settings, double start, double h) {
+void checkTimes(const CaseSettings& settings, double start, double h, double c) {
   const SolverSettings solver = settings.solverOrDefaults();
   const OutputSettings output = settings.outputOrDefaults();
   const double duration = solver.endTime - start;
@@ -65,8 +65,11 @@ void checkTimes(const CaseSettings& settings, double start, double h) {
   requireFew("output.history_every", output.historyEvery.value_or(output.every), 1e7, "rows");
   if (output.checkpointEvery)
     requireFew("output.checkpoint_every", *output.checkpointEvery, 1e6, "checkpoints");
-  const double acoustic = h / solver.soundSpeed;
-  requireFew("solver.time_step", solver.timeStep.value_or(solver.cfl * acoustic), 1e12, "steps");
+  const double acoustic = h / c;
+  if (solver.timeStep)
+    requireFew("solver.time_step", *solver.timeStep, 1e12, "steps");
+  else
+    requireFew("solver.cfl: time steps of about", solver.cfl * acoustic, 1e12, "steps");
   if (solver.timeStep && *solver.timeStep > acoustic)
     std::cerr << fmt::format(
         "plenum-sph: warning: solver.time_step = {:g} s is longer than h/c = "

@@ -100,20 +100,21 @@ FieldSet Simulation<Dim>::neededFields() const {
 template <int Dim>
 void Simulation<Dim>::setConstants() {
   ParticleSet<Dim>& particles = scene_.particles;
-  const auto set = [&](auto field, double ofWalls, auto&& valueOf) {
-    if (!particles.has(field)) return;
-    const auto values = particles[field];
-    const bool many = particles.has(field::material);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] =
-          i >= particles.nFluid()
-              ? ofWalls
-              : valueOf(
-                    phases_[many ? static_cast<std::size_t>(particles[field::material][i]) : 0]);
+  const std::size_t nFluid = particles.nFluid();
+  const bool many = particles.has(field::material);
+  const auto phaseOf = [&](std::size_t i) -> const Phase& {
+    return phases_[many ? static_cast<std::size_t>(particles[field::material][i]) : 0];
   };
-  set(field::soundSpeed, phases_.largestSoundSpeed(),
-      [](const Phase& phase) { return phase.state.soundSpeed; });
-  set(field::dynamicViscosity, 0.0, [](const Phase& phase) { return phase.dynamicViscosity; });
+  if (particles.has(field::soundSpeed)) {
+    const MaterialTable ofWalls = phases_.statesOf(scene_.info.walls, settings_);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      particles[field::soundSpeed][i] =
+          i < nFluid ? phaseOf(i).state.soundSpeed
+                     : ofWalls.of(particles[field::wall], i - nFluid).soundSpeed;
+  }
+  if (particles.has(field::dynamicViscosity))
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      particles[field::dynamicViscosity][i] = i < nFluid ? phaseOf(i).dynamicViscosity : 0;
 }
 
 /// The state before the first step.
@@ -153,6 +154,7 @@ void Simulation<Dim>::notePause() {
 
 template <int Dim>
 void Simulation<Dim>::step(double dt) {
+  lastStep_ = dt;
   if (record_.nSteps > 0 && mayPause()) engine_.forget();
   if (settings_.kicksTwice())
     stepKickDriftKick(dt);
@@ -170,7 +172,7 @@ void Simulation<Dim>::stepEuler(double dt) {
   updatePressure(time());
   sumForces(time());
   kickByForces(dt);
-  collide();
+  collide(time());
   shiftParticles(dt);
   driftParticles(dt);
   moveWalls(time() + dt);
@@ -195,7 +197,7 @@ void Simulation<Dim>::stepKickDriftKick(double dt) {
   sumForces(time() + dt);
   storeAcceleration();
   kickByAcceleration(dt / 2);
-  collide();
+  collide(time() + dt);
   shiftParticles(dt);
 }
 
@@ -257,11 +259,13 @@ void Simulation<Dim>::sumForces(double now) {
 template <int Dim>
 void Simulation<Dim>::fail(const std::string& what, std::size_t i) const {
   const ParticleSet<Dim>& particles = scene_.particles;
+  double shorter = 0.05 * smoothingLength() / phases_.largestSoundSpeed();
+  if (lastStep_ > 0) shorter = std::min(shorter, 0.25 * lastStep_);
   throw RunError(fmt::format(
       "particle {} at ({:.4g}): {} at t = {:.6g} s, step {}: likely a time step that is too large, "
       "particles that overlap or a wall that is missing; try --set solver.time_step={:.2g}",
       particles[field::id][i], fmt::join(particles[field::position][i].components, ", "), what,
-      time(), record_.nSteps, 0.05 * smoothingLength() / phases_.largestSoundSpeed()));
+      time(), record_.nSteps, shorter));
 }
 
 template <int Dim>
@@ -287,11 +291,10 @@ void Simulation<Dim>::kickByAcceleration(double dt) {
 }
 
 template <int Dim>
-void Simulation<Dim>::collide() {
+void Simulation<Dim>::collide(double now) {
   if (!passes_.collisions) return;
   engine_.run(passes_.collisions, scene_.particles);
-  if (measuresLoads_)
-    wallLoads_.addImpulses(engine_, scene_.particles, wallMotion_.centers(time()));
+  if (measuresLoads_) wallLoads_.addImpulses(engine_, scene_.particles, wallMotion_.centers(now));
   const auto [change, bad] = takeImpulses(engine_, scene_.particles);
   if (bad) fail("the change of velocity by collisions is not finite", *bad);
 }
@@ -326,7 +329,10 @@ template <int Dim>
 double Simulation<Dim>::maxTimeStep() const {
   const double h = smoothingLength(), step = longestTimeStep(settings_, phases_, h, record_);
   if (!settings_.timeStep && isSenseless(step, phases_, h))
-    fail("the fastest of all, makes the cfl time step fall below a millionth of h/c",
+    fail(fmt::format(
+             "speeds up to {:g} m/s (its own) and accelerations up to {:g} m/s^2 make the cfl "
+             "time step fall below a millionth of h/c",
+             record_.fastest, record_.largestAcceleration),
          fastestParticle());
   return step;
 }
@@ -334,8 +340,9 @@ double Simulation<Dim>::maxTimeStep() const {
 template <int Dim>
 std::size_t Simulation<Dim>::fastestParticle() const {
   const auto velocity = scene_.particles[field::velocity].first(scene_.particles.nFluid());
-  const auto isFastest = [&](const Vec<Dim>& v) { return !(norm(v) < record_.fastest); };
-  return static_cast<std::size_t>(std::ranges::find_if(velocity, isFastest) - velocity.begin());
+  const auto fastest =
+      std::ranges::max_element(velocity, {}, [](const Vec<Dim>& v) { return normSquared(v); });
+  return static_cast<std::size_t>(fastest - velocity.begin());
 }
 
 template <int Dim>

@@ -68,6 +68,8 @@ class Simulation {
   void preparePause() { engine_.forget(); }
   /// Notes in the scene what a run needs to go on. To be called where it may pause.
   void notePause();
+  /// Takes that note away: the scene goes on from there.
+  void forgetPause() { scene_.info.progress.clear(); }
   /// The time at which the run began that this one goes on with, or now [s].
   double runStart() const { return record_.runStart; }
   bool isContinued() const { return isContinued_; }
@@ -102,7 +104,7 @@ class Simulation {
   void kickByForces(double dt);
   void storeAcceleration();
   void kickByAcceleration(double dt);
-  void collide();
+  void collide(double now);
   void driftParticles(double dt);
   void moveWalls(double time);
   void shiftParticles(double dt);
@@ -125,6 +127,7 @@ class Simulation {
   std::vector<Vec<Dim>> towardsSurface_;     // empty if no wall moves [m/s]
   WallLoads<Dim> wallLoads_;
   StepRecord record_;
+  double lastStep_ = 0;  // [s]; 0 before the first
   bool isContinued_ = false;
 };
 

@@ -48,10 +48,13 @@ double deviationFrom(const CurveSettings& curve, const Series& series, bool rela
   return sum / static_cast<double>(curve.times.size());
 }
 
-double measuredOf(const ValidateSettings& v, const Series& series) {
-  if (v.curve) return deviationFrom(*v.curve, series, v.relativeTolerance.has_value());
-  if (v.time) return valueAt(series, *v.time);
-  return statisticOf(series, v.statisticOrDefault());
+/// NaN cells count as such where a time is named; statistics leave them out.
+double measuredOf(const ValidateSettings& v, const Series& rows) {
+  if (v.curve) return deviationFrom(*v.curve, rows, v.relativeTolerance.has_value());
+  if (v.time) return valueAt(rows, *v.time);
+  return statisticOf(
+      seriesOf(rows.times, rows.values, v.from.value_or(-infinity), v.until.value_or(infinity)),
+      v.statisticOrDefault());
 }
 
 bool isAsAsked(const ValidateSettings& v, double measured) {
@@ -121,9 +124,7 @@ std::vector<ValidationResult> Validation::evaluate() const {
     if (end < needed - 1e-9 * std::abs(needed)) {
       result.verdict = Verdict::notReached;
     } else {
-      const double measured = measuredOf(
-          v,
-          seriesOf(times_, column.values, v.from.value_or(-infinity), v.until.value_or(infinity)));
+      const double measured = measuredOf(v, {times_, column.values});
       if (!std::isnan(measured)) {
         result.measured = measured;
         result.verdict = isAsAsked(v, measured) ? Verdict::ok : Verdict::failed;

@@ -9,8 +9,8 @@
 
 namespace plenum {
 
-/// What the fluid does to one wall; about the wall's centre of rotation. A force [N m^(d-3)] and a
-/// torque [N m^(d-2)], or what they add up to over a time.
+/// What the fluid does to one wall; about the wall's centre of rotation. A force [N] and a
+/// torque [N m], or what they add up to over a time.
 struct WallLoad {
   std::array<double, 3> force{};
   std::array<double, 3> torque{};

@@ -29,14 +29,15 @@ void WallState<Dim>::extrapolate(const Engine<Dim>& engine, ParticleSet<Dim>& pa
       Group::walls,
       [&](std::size_t i, double kernelSum, double pressureSum, const Vec<Dim>& massMoment) {
         const Tait& state = states_.of(wallOf, i - nFluid);
-        double p = 0;
-        if (kernelSum > leastKernelSum) {
-          const Vec<Dim> fall =
-              accelerations.empty() ? gravity_ : gravity_ - accelerations[i - nFluid];
-          p = std::max(0.0, (pressureSum + dot(fall, massMoment)) / kernelSum);
+        if (!(kernelSum > leastKernelSum)) {  // nobody feels it
+          pressure[i] = 0;
+          density[i] = state.referenceDensity;
+          return;
         }
-        pressure[i] = p;
-        density[i] = state.density(p);
+        const Vec<Dim> fall =
+            accelerations.empty() ? gravity_ : gravity_ - accelerations[i - nFluid];
+        pressure[i] = std::max(0.0, (pressureSum + dot(fall, massMoment)) / kernelSum);
+        density[i] = state.density(pressure[i]);
       },
       field::kernelSum, field::pressure, field::massMoment);
 }

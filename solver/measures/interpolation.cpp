@@ -11,7 +11,8 @@ Interpolation<Dim>::Interpolation(const Observed<Dim>& state)
       search_(state.particles[field::position], state.info.domain, 2 * state.smoothingLength) {}
 
 template <int Dim>
-typename Interpolation<Dim>::Sums Interpolation<Dim>::at(const Vec<Dim>& x) const {
+typename Interpolation<Dim>::Sums Interpolation<Dim>::at(const Vec<Dim>& x,
+                                                         const FluidChoice& counted) const {
   const ParticleSet<Dim>& particles = state_.particles;
   const auto mass = particles[field::mass];
   const auto density = particles[field::density];
@@ -23,6 +24,7 @@ typename Interpolation<Dim>::Sums Interpolation<Dim>::at(const Vec<Dim>& x) cons
       sums.walls += weight;
       return;
     }
+    if (!counted.has(particles, j)) return;
     sums.fluid += weight;
     sums.pressure += weight * particles[field::pressure][j];
     sums.velocity += weight * particles[field::velocity][j];
@@ -31,9 +33,9 @@ typename Interpolation<Dim>::Sums Interpolation<Dim>::at(const Vec<Dim>& x) cons
 }
 
 template <int Dim>
-double Interpolation<Dim>::fluidFraction(const Vec<Dim>& x) const {
+double Interpolation<Dim>::fluidFraction(const Vec<Dim>& x, const FluidChoice& counted) const {
   constexpr double leastRoom = 0.1;  // a corner of three walls leaves an eighth
-  const Sums sums = at(x);
+  const Sums sums = at(x, counted);
   const double room = 1 - sums.walls;
   return room > leastRoom ? sums.fluid / room : 0;
 }

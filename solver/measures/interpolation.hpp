@@ -14,16 +14,16 @@ class Interpolation {
   explicit Interpolation(const Observed<Dim>& state);
 
   struct Sums {
-    double fluid = 0;     ///< sum V W over fluid particles: the share of the place that is fluid
+    double fluid = 0;     ///< sum V W over the fluid that counts: its share of the place
     double walls = 0;     ///< the same over walls
-    double pressure = 0;  ///< sum V p W over fluid particles [Pa m^(3-d)]
-    Vec<Dim> velocity{};  ///< sum V v W over fluid particles [m/s]
+    double pressure = 0;  ///< sum V p W over that fluid [Pa m^(3-d)]
+    Vec<Dim> velocity{};  ///< sum V v W over that fluid [m/s]
   };
-  Sums at(const Vec<Dim>& x) const;
+  Sums at(const Vec<Dim>& x, const FluidChoice& counted) const;
 
   /// Share of the place, as far as no wall takes it, that is fluid: sum V W of the fluid over
   /// 1 - sum V W of the walls, so that a surface is at 0.5 beside a wall, too; 0 inside walls.
-  double fluidFraction(const Vec<Dim>& x) const;
+  double fluidFraction(const Vec<Dim>& x, const FluidChoice& counted) const;
 
   const Observed<Dim>& state() const { return state_; }
   double support() const { return 2 * state_.smoothingLength; }

@@ -9,8 +9,8 @@
 
 namespace plenum {
 
-/// What a measure sees of a run at one time. Density and pressure are those that moved the
-/// particles to where they are: of the positions one step before.
+/// What a measure sees of a run at one time. With symplectic Euler, density and pressure are those
+/// that moved the particles to where they are: of the positions one step before.
 template <int Dim>
 struct Observed {
   const ParticleSet<Dim>& particles;

@@ -21,9 +21,9 @@ Observers<Dim>::Observers(const MeasureSettings& settings, const Observed<Dim>& 
     : settings_(settings) {
   const Box<Dim> reach = reachOf(start);
   for (std::size_t k = 0; k < settings.probes.size(); ++k)
-    probes_.emplace_back(settings.probes[k], reach, keyOf("probe", k));
+    probes_.emplace_back(settings.probes[k], start, reach, keyOf("probe", k));
   for (std::size_t k = 0; k < settings.gauges.size(); ++k)
-    gauges_.emplace_back(settings.gauges[k], reach, start.gravity, keyOf("gauge", k));
+    gauges_.emplace_back(settings.gauges[k], start, reach, keyOf("gauge", k));
   if (settings.front) front_.emplace(*settings.front, start, "measures.front");
   for (std::size_t k = 0; k < settings.volumes.size(); ++k)
     volumes_.emplace_back(settings.volumes[k], start, keyOf("volume", k));

@@ -7,7 +7,7 @@
 
 namespace plenum {
 
-/// How well the pressure of a column at rest holds: 100 |s/(-rho0 g) - 1| with s the least-squares
+/// How well the pressure of a column at rest holds: 100 (s/(-rho0 g) - 1) with s the least-squares
 /// slope of p over height for the fluid particles in the middle of the column. [C] table 1.
 template <int Dim>
 class PressureGradient {

@@ -11,8 +11,9 @@
 namespace plenum {
 
 template <int Dim>
-Probe<Dim>::Probe(const ProbeSettings& settings, const Box<Dim>& reach, const std::string& key)
-    : name_(settings.name) {
+Probe<Dim>::Probe(const ProbeSettings& settings, const Observed<Dim>& start, const Box<Dim>& reach,
+                  const std::string& key)
+    : name_(settings.name), choice_(settings.material, start.info, key + ".material") {
   std::copy_n(settings.point.begin(), Dim, point_.components.begin());
   if (!reach.contains(point_))
     throw InputError(fmt::format(
@@ -27,7 +28,7 @@ void Probe<Dim>::addTo(std::vector<Figure>& row, const Interpolation<Dim>& fluid
   // A corner of three walls that is full of fluid has an eighth; a droplet at the edge of the
   // kernel's support says nothing of this place.
   constexpr double leastFluid = 0.05;
-  const auto sums = fluid.at(point_);
+  const auto sums = fluid.at(point_, choice_);
   const double scale =
       sums.fluid > leastFluid ? 1 / sums.fluid : std::numeric_limits<double>::quiet_NaN();
   row.push_back({name_ + "_pressure", pressureUnit(Dim), scale * sums.pressure});

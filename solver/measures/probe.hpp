@@ -12,14 +12,16 @@ namespace plenum {
 template <int Dim>
 class Probe {
  public:
-  /// Throws InputError that names `key` for a point outside of `reach`.
-  Probe(const ProbeSettings& settings, const Box<Dim>& reach, const std::string& key);
+  /// Throws InputError that names `key` for a point outside of `reach` and for an unknown material.
+  Probe(const ProbeSettings& settings, const Observed<Dim>& start, const Box<Dim>& reach,
+        const std::string& key);
 
   /// NAME_pressure [Pa m^(3-d)], NAME_velocity_x, ... [m/s].
   void addTo(std::vector<Figure>& row, const Interpolation<Dim>& fluid) const;
 
  private:
   std::string name_;
+  FluidChoice choice_;
   Vec<Dim> point_;
 };
 

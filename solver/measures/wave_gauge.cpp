@@ -12,10 +12,11 @@
 namespace plenum {
 
 template <int Dim>
-WaveGauge<Dim>::WaveGauge(const GaugeSettings& settings, const Box<Dim>& reach,
-                          const Vec<Dim>& gravity, const std::string& key)
+WaveGauge<Dim>::WaveGauge(const GaugeSettings& settings, const Observed<Dim>& start,
+                          const Box<Dim>& reach, const std::string& key)
     : name_(settings.name),
-      vertical_(verticalOf(gravity, fmt::format("{} \"{}\"", key, settings.name))),
+      choice_(settings.material, start.info, key + ".material"),
+      vertical_(verticalOf(start.gravity, fmt::format("{} \"{}\"", key, settings.name))),
       dry_(settings.dry.value_or(std::numeric_limits<double>::quiet_NaN())) {
   std::size_t next = 0;
   for (int a = 0; a < Dim; ++a) {
@@ -60,11 +61,11 @@ double WaveGauge<Dim>::height(const Interpolation<Dim>& fluid) const {
   for (const double particle : heights(fluid)) {
     outside = std::min(outside, particle + support);  // nothing to feel between two far particles
     for (; outside > particle - support; outside -= step) {
-      if (fluid.fluidFraction(at(outside - step)) < 0.5) continue;
+      if (fluid.fluidFraction(at(outside - step), choice_) < 0.5) continue;
       double inside = outside - step;
       for (int bisection = 0; bisection < 30; ++bisection) {  // to 1e-9 of a step
         const double middle = 0.5 * (inside + outside);
-        (fluid.fluidFraction(at(middle)) < 0.5 ? outside : inside) = middle;
+        (fluid.fluidFraction(at(middle), choice_) < 0.5 ? outside : inside) = middle;
       }
       return 0.5 * (inside + outside);
     }

@@ -12,8 +12,9 @@ namespace plenum {
 template <int Dim>
 class WaveGauge {
  public:
-  /// Throws InputError that names `key` for a place outside of `reach` and without gravity.
-  WaveGauge(const GaugeSettings& settings, const Box<Dim>& reach, const Vec<Dim>& gravity,
+  /// Throws InputError that names `key` for a place outside of `reach`, for an unknown material and
+  /// without gravity.
+  WaveGauge(const GaugeSettings& settings, const Observed<Dim>& start, const Box<Dim>& reach,
             const std::string& key);
 
   /// NAME [m]: the coordinate along the axis of gravity.
@@ -25,6 +26,7 @@ class WaveGauge {
   Vec<Dim> at(double height) const;  // height: along "up"
 
   std::string name_;
+  FluidChoice choice_;
   Vertical vertical_;
   Vec<Dim> place_;  // horizontal components
   double dry_;      // NaN: nothing

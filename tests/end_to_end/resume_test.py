@@ -93,7 +93,16 @@ class Resume(Programs):
         folder = pathlib.Path(self.path("run"))
         self.ok(SPH, "run", str(self.particles), "-o", str(folder), "-q",
                 "--set", "solver.end_time=0.02")
-        self.ok(SPH, "resume", str(folder / "dam_end.hdf"), "-q", "--set", "solver.end_time=0.03")
+        # Other columns have no place in history.csv, and what the run goes on from stays.
+        end = str(folder / "dam_end.hdf")
+        self.refused((SPH, "resume", end, "--set", "solver.end_time=0.03", "--set", "measures.order=false"),
+                     "history.csv", "other columns", "--output")
+        self.assertEqual(rows(folder)[-1][0], "0.02")
+        run = subprocess.Popen([SPH, "resume", end, "-q", "--set", "solver.end_time=10"])
+        time.sleep(0.5)
+        run.kill()
+        run.wait()
+        self.ok(SPH, "resume", end, "-q", "--set", "solver.end_time=0.03")
         self.assertEqual(rows(folder)[-1][0], "0.03")
 
 

@@ -32,6 +32,18 @@ TEST(Preflight, RefusesAnEmptySet) {
   EXPECT_NE(refusal(scene).find("no fluid particle"), std::string::npos);
 }
 
+TEST(Preflight, RefusesExtrapolatedWallsOfAGasWithoutADensityAtRest) {
+  Scene<2> scene = gas();
+  SolverSettings settings;
+  settings.density = "continuity";
+  settings.wallPressure = "extrapolated";
+  settings.backgroundPressure = 2 * settings.soundSpeed * settings.soundSpeed;
+  EXPECT_EQ(refusal(scene, settings), "") << "there are no walls";
+  scene.info.walls = {{"tank", "lattice", 4, 1, 1.0, {}}};
+  EXPECT_NE(refusal(scene, settings).find("has no density at pressure 0"), std::string::npos)
+      << refusal(scene, settings);
+}
+
 TEST(Preflight, RefusesALiquidThatCavitatesAtItsReferenceDensity) {
   SolverSettings settings;
   settings.backgroundPressure = 2;

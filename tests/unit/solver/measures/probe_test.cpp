@@ -16,7 +16,7 @@ template <int Dim>
 std::vector<Figure> figuresAt(const Scene<Dim>& scene, const std::vector<double>& point) {
   const auto state = test::observed(scene);
   std::vector<Figure> row;
-  Probe<Dim>({"p", point}, reachOf(state), "measures.probe[0]")
+  Probe<Dim>({"p", point}, state, reachOf(state), "measures.probe[0]")
       .addTo(row, Interpolation<Dim>(state));
   return row;
 }
@@ -81,8 +81,10 @@ TEST(Probe, SeesThroughPeriodicBoundaries) {
   scene.info.domain.upper = {{1}};
   scene.info.domain.periodic = {true};
   for (double& p : scene.particles[field::pressure]) p = 7;
-  EXPECT_NEAR(Interpolation<1>(test::observed(scene)).at({{0}}).fluid,
-              Interpolation<1>(test::observed(scene)).at({{0.5}}).fluid, 1e-14);  // some roundings
+  const FluidChoice all("", scene.info, "");
+  EXPECT_NEAR(Interpolation<1>(test::observed(scene)).at({{0}}, all).fluid,
+              Interpolation<1>(test::observed(scene)).at({{0.5}}, all).fluid,
+              1e-14);  // some roundings
   EXPECT_NEAR(figuresAt(scene, {1.0})[0].value, 7, 1e-14);
 }
 

@@ -14,7 +14,7 @@ template <int Dim>
 double heightAt(const Observed<Dim>& state, const std::vector<double>& place,
                 std::optional<double> dry = {}) {
   std::vector<Figure> row;
-  WaveGauge<Dim>({"h", place, dry}, reachOf(state), state.gravity, "measures.gauge[0]")
+  WaveGauge<Dim>({"h", place, dry}, state, reachOf(state), "measures.gauge[0]")
       .addTo(row, Interpolation<Dim>(state));
   EXPECT_EQ(row.at(0).name, "h");
   EXPECT_EQ(row.at(0).unit, "m");
@@ -40,6 +40,25 @@ TEST(WaveGauge, FindsItBesideAWallToo) {
   // Half of the kernel is wall there; its layers reach above the water.
   for (const double x : {0.0, 0.02, 0.1, 1.0})
     EXPECT_NEAR(heightAt(test::observed(scene), {x}), 0.6, d / 3) << x;
+}
+
+TEST(WaveGauge, OfOneFluidFindsItsInterface) {
+  const double d = 0.05;
+  Scene<2> scene = test::stillWater<2>({{1, 0.6}}, d);
+  scene.info.materials = {{"water", 1000}, {"oil", 900}};
+  scene.particles.add({field::material});
+  for (std::size_t i = 0; i < scene.particles.size(); ++i)
+    scene.particles[field::material][i] = scene.particles[field::position][i][1] > 0.3 ? 1 : 0;
+  const auto state = test::observed(scene);
+  const auto height = [&](const std::string& material) {
+    std::vector<Figure> row;
+    WaveGauge<2>({"h", {0.5}, {}, material}, state, reachOf(state), "measures.gauge[0]")
+        .addTo(row, Interpolation<2>(state));
+    return row.at(0).value;
+  };
+  EXPECT_NEAR(height("water"), 0.3, d / 3);  // as above
+  EXPECT_NEAR(height("oil"), 0.6, d / 3);
+  EXPECT_NEAR(height(""), 0.6, d / 3);
 }
 
 TEST(WaveGauge, UpIsAgainstGravity) {
