@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/simulation.hpp"
 
-#include "engine/derived_fields.hpp"
 #include "particles/errors.hpp"
 #include "particles/parallel.hpp"
 #include "solver/density_gradient.hpp"
 #include "solver/integrate.hpp"
 #include "solver/preflight.hpp"
+#include "solver/scene_setup.hpp"
 #include "solver/shifting.hpp"
 #include "solver/time_step.hpp"
 
@@ -25,29 +25,6 @@ template <int Dim>
 Scene<Dim>& checked(Scene<Dim>& scene, const SolverSettings& settings) {
   checkBeforeRun(scene.info, scene.particles, settings);
   return scene;
-}
-
-template <int Dim>
-typename Engine<Dim>::Options engineOptions(const Scene<Dim>& scene, const SolverSettings& s,
-                                            double soundSpeed, bool measuresLoads) {
-  const SceneInfo<Dim>& info = scene.info;
-  typename Engine<Dim>::Options options;
-  options.support = 2 * s.smoothingLength * info.spacing;
-  options.wallsReceive =
-      scene.particles.nWalls() > 0 && (s.wallsEvolve() || s.wallsExtrapolate() || s.laminar() ||
-                                       s.densityDiffusion || measuresLoads);
-  options.precision = s.precision == "double" ? Precision::doubled : Precision::mixed;
-  options.units =
-      Units::near(s.smoothingLength * info.spacing, scene.particles[field::mass][0], soundSpeed);
-  return options;
-}
-
-template <int Dim>
-Vec<Dim> gravityOf(const SolverSettings& settings) {
-  Vec<Dim> gravity;
-  for (std::size_t a = 0; a < settings.gravity.size(); ++a)
-    gravity[static_cast<int>(a)] = settings.gravity[a];
-  return gravity;
 }
 
 }  // namespace
@@ -72,49 +49,12 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings, bo
   scene_.info.smoothingLength = smoothingLength();
   isContinued_ = !scene_.info.progress.empty();
   const bool hasAcceleration = scene_.particles.has(field::acceleration);
-  const FieldSet needed = neededFields();
-  scene_.particles.add(needed);
-  scene_.particles.remove(scene_.particles.fields().without(needed));
-  setConstants();
+  keepFields(scene_, fieldsOf(scene_, settings_, passes_, wallMotion_.anyMoves()));
+  setConstants(scene_, settings_, phases_);
   if (isContinued_ && (hasAcceleration || !settings_.kicksTwice()))
     goOn();
   else
     begin();
-}
-
-template <int Dim>
-FieldSet Simulation<Dim>::neededFields() const {
-  FieldSet needed{field::position, field::velocity, field::mass,
-                  field::density,  field::pressure, field::id};
-  if (scene_.particles.nWalls() > 0) needed |= {field::wall, field::normal, field::wallDistance};
-  if (wallMotion_.anyMoves()) needed |= {field::referencePosition, field::referenceNormal};
-  if (scene_.info.materials.size() > 1) needed |= {field::material};
-  if (settings_.kicksTwice()) needed |= {field::acceleration};
-  if (settings_.laminar() && scene_.particles.nWalls() > 0) needed |= {field::slipVelocity};
-  for (const PairPass<Dim>* pass : passes_.all())
-    if (*pass) needed |= storedFor(pass->reads);
-  return needed;
-}
-
-/// What each particle has from its material, where the passes read it.
-template <int Dim>
-void Simulation<Dim>::setConstants() {
-  ParticleSet<Dim>& particles = scene_.particles;
-  const std::size_t nFluid = particles.nFluid();
-  const bool many = particles.has(field::material);
-  const auto phaseOf = [&](std::size_t i) -> const Phase& {
-    return phases_[many ? static_cast<std::size_t>(particles[field::material][i]) : 0];
-  };
-  if (particles.has(field::soundSpeed)) {
-    const MaterialTable ofWalls = phases_.statesOf(scene_.info.walls, settings_);
-    for (std::size_t i = 0; i < particles.size(); ++i)
-      particles[field::soundSpeed][i] =
-          i < nFluid ? phaseOf(i).state.soundSpeed
-                     : ofWalls.of(particles[field::wall], i - nFluid).soundSpeed;
-  }
-  if (particles.has(field::dynamicViscosity))
-    for (std::size_t i = 0; i < particles.size(); ++i)
-      particles[field::dynamicViscosity][i] = i < nFluid ? phaseOf(i).dynamicViscosity : 0;
 }
 
 /// The state before the first step.

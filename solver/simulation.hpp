@@ -91,8 +91,6 @@ class Simulation {
   }
 
  private:
-  FieldSet neededFields() const;
-  void setConstants();
   void begin();
   void goOn();
 
