@@ -96,21 +96,36 @@ class Band {
                 double left, unsigned orthant) {
     const auto [first, end] = rangeOf(axis, x[axis], std::sqrt(left));
     const std::ptrdiff_t start = axis == Dim - 1 ? first_ : 0;
-    for (std::ptrdiff_t k = first; k < end; ++k) {
-      const double d = x[axis] - grid_.coordinate(axis, k);
-      const double rest = left - d * d;
-      if (!(rest > 0)) continue;
-      const unsigned bits = orthant | ((d > 0 ? 1u : 0u) << axis);
-      const std::ptrdiff_t here =
-          offset * grid_.shape[static_cast<std::size_t>(axis)] + (k - start);
-      if constexpr (axis > 0) {
-        markFrom(std::integral_constant<int, axis - 1>{}, x, here, rest, bits);
-      } else {
-        const auto point = static_cast<std::size_t>(here);
-        orthants_[point] = static_cast<std::uint8_t>(orthants_[point] | (1u << bits));
-        if (reach_ * reach_ - rest <= spacing_ * spacing_) isNear_[point] = 1;
+    const std::ptrdiff_t row = offset * grid_.shape[static_cast<std::size_t>(axis)] - start;
+    if constexpr (axis == 0) {
+      markRow(x[0], row, first, end, left, orthant);
+    } else {
+      for (std::ptrdiff_t k = first; k < end; ++k) {
+        const double d = x[axis] - grid_.coordinate(axis, k);
+        const double rest = left - d * d;
+        const unsigned bits = orthant | ((d > 0 ? 1u : 0u) << axis);
+        if (rest > 0) markFrom(std::integral_constant<int, axis - 1>{}, x, row + k, rest, bits);
       }
     }
+  }
+
+  /// Whole stretches of a row at once: bytes that the processor takes by the dozen.
+  void markRow(double x, std::ptrdiff_t row, std::ptrdiff_t first, std::ptrdiff_t end, double left,
+               unsigned orthant) {
+    std::ptrdiff_t middle = first;  // the particle is above the points before it
+    while (middle < end && grid_.coordinate(0, middle) < x) ++middle;
+    const auto mark = [&](std::ptrdiff_t from, std::ptrdiff_t to, unsigned bits) {
+      const auto mask = static_cast<std::uint8_t>(1u << bits);
+      for (std::ptrdiff_t k = from; k < to; ++k)
+        orthants_[static_cast<std::size_t>(row + k)] |= mask;
+    };
+    mark(first, middle, orthant | 1u);
+    mark(middle, end, orthant);
+    const double near = left - (reach_ * reach_ - spacing_ * spacing_);
+    if (near < 0) return;
+    const auto [nearFirst, nearEnd] = rangeOf(0, x, std::sqrt(near));
+    for (std::ptrdiff_t k = nearFirst; k < nearEnd; ++k)
+      isNear_[static_cast<std::size_t>(row + k)] = 1;
   }
 
   const SampleGrid<Dim>& grid_;
