@@ -167,7 +167,7 @@ const Section<MeasureSettings>& measureSection() {
           .flag("order", &S::order,
                 "nn_min, nn_mean, f.1, f.5, f.85, psi6, void1, left and escaped; a row with them "
                 "costs "
-                "as much as some ten steps")
+                "as much as some tens of steps")
           .flag("loads", &S::loads,
                 "WALL_force_x ... and WALL_torque_z ... of each wall, the mean since the last row")
           .sections("probe", &S::probes, probeSection())

@@ -63,6 +63,31 @@ void say(const RunResult& result, const RunOptions& options) {
       options.folder.string(), options.name);
 }
 
+/// What nobody should overlook, --quiet or not.
+void warn(const CommandLine& line, const RunResult& result) {
+  const auto count = [&](const char* name) {
+    const auto found = std::ranges::find(result.figures, name, &Figure::name);
+    return found == result.figures.end() ? 0.0 : found->value;
+  };
+  if (count("left") > 0 || count("escaped") > 0)
+    std::cerr << fmt::format(
+        "plenum-sph: warning: at the end {:g} particles are outside of the container, in walls or "
+        "beyond "
+        "(left), and {:g} outside of the set's first bounds (escaped): a hole in the walls, an "
+        "open rim, a "
+        "time step that is too long, a wall_pressure that lets fluid through (docs/liquids.md); or "
+        "the "
+        "case names no container and the fluid has flowed out of its regions\n",
+        count("left"), count("escaped"));
+  const auto isOk = [](const ValidationResult& r) { return r.verdict == Verdict::ok; };
+  const auto nOk = std::ranges::count_if(result.validation, isOk);
+  if (line.strict && !allOk(result.validation))
+    std::cerr << fmt::format(
+        "plenum-sph: {} of {} expectations of [[validate]] are not met; see {}\n",
+        static_cast<long>(result.validation.size()) - nOk, result.validation.size(),
+        "validation.json");
+}
+
 /// Begins a run, or goes on with one that stopped.
 int run(const CommandLine& line, bool isContinued) {
   return withParticleFile(line.file, [&](auto scene) {
@@ -87,6 +112,7 @@ int run(const CommandLine& line, bool isContinued) {
       return static_cast<int>(128 + result.signal);
     }
     if (!line.quiet) say(result, options);
+    warn(line, result);
     return static_cast<int>(line.strict && !allOk(result.validation) ? exitFailure : exitOk);
   });
 }

@@ -35,9 +35,9 @@ template <int Dim>
 CaseSettings settingsOf(SceneInfo<Dim>& info, const std::vector<std::string>& changes,
                         bool isContinued = false);
 
-/// Refuses times that cannot be meant; warns of a fixed step that is likely too long. `start` is
-/// the time of the state [s], h the smoothing length [m], c the
-/// largest speed of sound [m/s].
+/// Refuses times that cannot be meant; warns of a fixed step that is likely too long and of a sum
+/// of densities under gravity. `start` is the time of the state [s], h the smoothing length [m], c
+/// the largest speed of sound [m/s].
 void checkTimes(const CaseSettings& settings, double start, double h, double c);
 
 /// Runs a scene to its end time and writes VTU files, their .pvd, history.csv, summary.json,

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace plenum {
@@ -70,11 +71,17 @@ void checkTimes(const CaseSettings& settings, double start, double h, double c) 
     requireFew("solver.time_step", *solver.timeStep, 1e12, "steps");
   else
     requireFew("solver.cfl: time steps of about", solver.cfl * acoustic, 1e12, "steps");
-  if (solver.timeStep && *solver.timeStep > acoustic)
+  if (solver.timeStep && *solver.timeStep > acoustic && *solver.timeStep <= 2 * acoustic)
     std::cerr << fmt::format(
         "plenum-sph: warning: solver.time_step = {:g} s is longer than h/c = "
         "{:g} s; a stable step is about {:g} s\n",
         *solver.timeStep, acoustic, 0.2 * acoustic);
+  const bool falls = std::ranges::any_of(solver.gravity, [](double g) { return g != 0; });
+  if (solver.sumsDensity() && falls)
+    std::cerr
+        << "plenum-sph: warning: solver.density = \"summation\" with gravity: a sum is too low at "
+           "a free surface, which makes energy from nothing; unless the fluid fills its domain, "
+           "set density = \"continuity\" (docs/liquids.md)\n";
 }
 
 template CaseSettings settingsOf<1>(SceneInfo<1>&, const std::vector<std::string>&, bool);

@@ -11,7 +11,9 @@ namespace plenum {
 
 /// Times start + k every, `end` itself, and the `extra` times (ascending) between start and end.
 /// Times are products, not sums, so that the millionth is as exact as the first. A time within
-/// round-off of `end` is `end`; an extra one within round-off of a regular one is that.
+/// round-off of `end` is `end`; an extra one within round-off of a regular one is that. A time is
+/// due from round-off before it, so that two schedules that meet need no step from one to the
+/// other.
 class Schedule {
  public:
   Schedule(double start, double every, double end, std::vector<double> extra = {})
@@ -24,7 +26,7 @@ class Schedule {
     const bool isExtra = at_ < extra_.size() && extra_[at_] < regular - roundOff();
     return isExtra ? extra_[at_] : regular;
   }
-  bool isDue(double time) const { return !done_ && time >= next(); }
+  bool isDue(double time) const { return !done_ && time >= next() - roundOff(); }
 
   /// The due time has been served.
   void advance() {

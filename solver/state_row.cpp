@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plenum {
 
@@ -16,10 +17,12 @@ double maxSpeed(const ParticleSet<Dim>& particles) {
   return std::sqrt(squared);
 }
 
-/// Mean loads of the walls.
+/// Mean loads of the walls; NaN before the first step.
 template <int Dim>
 void addLoads(std::vector<Figure>& row, const Simulation<Dim>& simulation) {
-  const std::vector<WallLoad> loads = simulation.wallLoads();
+  std::vector<WallLoad> loads = simulation.wallLoads();
+  if (simulation.time() == simulation.runStart())  // no time has passed to take a mean over
+    for (WallLoad& load : loads) load = std::numeric_limits<double>::quiet_NaN() * load;
   for (std::size_t w = 0; w < loads.size(); ++w) {
     const std::string& wall = simulation.info().walls[w].name;
     for (std::size_t a = 0; a < Dim; ++a)
