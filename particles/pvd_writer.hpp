@@ -14,6 +14,10 @@ class PvdSeries {
  public:
   explicit PvdSeries(std::filesystem::path path) : path_(std::move(path)) {}
 
+  /// Keeps what the file lists until `time` [s]; nothing where there is no file. Throws
+  /// InputError for a file that is not a series written by this class.
+  void continueUntil(double time);
+
   /// Adds `file`, that stands for `time` [s], and writes the .pvd anew. The .pvd names the file
   /// relative to its own folder, so that the folder can be moved. Throws RunError.
   void add(double time, const std::filesystem::path& file);
@@ -22,8 +26,10 @@ class PvdSeries {
   std::size_t size() const { return entries_.size(); }
 
  private:
+  void write() const;
+
   std::filesystem::path path_;
-  std::vector<std::pair<double, std::string>> entries_;
+  std::vector<std::string> entries_;  // lines of the file
 };
 
 }  // namespace plenum

@@ -56,12 +56,11 @@ FieldSet outputFields(const OutputSettings& output, const ParticleSet<Dim>& part
 
 template <int Dim>
 Recorder<Dim>::Recorder(const RunOptions& options, const CaseSettings& settings,
-                        const Simulation<Dim>& simulation, const std::vector<double>& stateTimes)
+                        const Simulation<Dim>& simulation)
     : options_(options),
       settings_(settings),
       fields_(outputFields(settings.outputOrDefaults(), simulation.particles())),
       series_(options.folder / (options.name + ".pvd")),
-      nStates_(stateTimes.size()),
       earlierSteps_(simulation.nSteps()) {
   std::error_code error;
   fs::create_directories(options_.folder, error);
@@ -69,7 +68,8 @@ Recorder<Dim>::Recorder(const RunOptions& options, const CaseSettings& settings,
     throw RunError(fmt::format("{}: cannot be made: {}; choose another folder with --output",
                                options_.folder.string(), error.message()));
   const fs::path history = options_.folder / "history.csv";
-  removeOldFiles(simulation.isContinued(), nStates_);
+  if (simulation.isContinued()) series_.continueUntil(simulation.time());
+  removeOldFiles(simulation.isContinued());
   if (!simulation.isContinued()) {
     history_.emplace(history);
     return;
@@ -79,14 +79,13 @@ Recorder<Dim>::Recorder(const RunOptions& options, const CaseSettings& settings,
     row_ = earlierRows().back();
     earlierWallClock_ = valueOf(row_, "wall_clock");
   }
-  for (std::size_t k = 0; k < nStates_; ++k)
-    if (fs::exists(stateFile(k))) series_.add(stateTimes[k], stateFile(k));
 }
 
 template <int Dim>
-void Recorder<Dim>::removeOldFiles(bool isContinued, std::size_t nStates) const {
+void Recorder<Dim>::removeOldFiles(bool isContinued) const {
   const std::string prefix = options_.name + "_", series = options_.name + ".pvd";
   const std::regex state(R"((\d{4,}\.vtu|end\.hdf|failed\.(hdf|vtu))(\.\d+\.tmp)?)");
+  const std::regex vtu(R"(\d{4,}\.vtu)");
   const std::regex checkpoint(R"(checkpoint_\d+\.hdf)");
   std::vector<fs::path> old;
   bool hasCheckpoints = false, hasEnded = false;
@@ -102,13 +101,17 @@ void Recorder<Dim>::removeOldFiles(bool isContinued, std::size_t nStates) const 
     if (isContinued && isCheckpoint && std::stol(rest.substr(11)) <= earlierSteps_) continue;
     // What the run may go on from stays until a checkpoint or its end takes its place.
     if (isContinued && rest.ends_with(".hdf") && !isCheckpoint) continue;
-    if (std::regex_match(rest, state) && isContinued && rest.ends_with(".vtu") &&
-        std::isdigit(static_cast<unsigned char>(rest.front())) != 0 && std::stoul(rest) < nStates)
-      continue;
+    if (isContinued && std::regex_match(rest, vtu)) {
+      if (series_.size() == 0)
+        throw InputError(fmt::format(
+            "{}: holds {} without the {} that lists it; go on in another folder with --output",
+            options_.folder.string(), file, series));
+      if (std::stoul(rest) < series_.size()) continue;
+    }
     const bool isPicture = file == "first.png" && !isContinued;
-    if (std::regex_match(rest, state) || isCheckpoint || file == series || isPicture ||
-        file == "last.png" || file == "failed.png" || file == "summary.json" ||
-        file == "validation.json")
+    if (std::regex_match(rest, state) || isCheckpoint || isPicture ||
+        (file == series && !isContinued) || file == "last.png" || file == "failed.png" ||
+        file == "summary.json" || file == "validation.json")
       old.push_back(entry.path());
   }
   if (hasCheckpoints && !hasEnded && !isContinued && !options_.anew)
@@ -132,7 +135,7 @@ double Recorder<Dim>::wallClock() const {
 
 template <int Dim>
 void Recorder<Dim>::addState(const Simulation<Dim>& simulation) {
-  const fs::path file = stateFile(nStates_++);
+  const fs::path file = stateFile(series_.size());
   writeVtu(file, simulation.particles(), {simulation.time(), fields_});
   series_.add(simulation.time(), file);
 }

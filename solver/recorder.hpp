@@ -19,12 +19,11 @@ template <int Dim>
 class Recorder {
  public:
   /// Makes the folder and removes what an earlier run of this name left there; of a run that goes
-  /// on, what came after the simulation's time, but for its end file. `stateTimes` are those of the
-  /// VTU files that the run has written until then [s]. Throws InputError for output settings that
-  /// name unknown fields or fields that the run does not model, and for a folder that holds a run
-  /// of another name or the checkpoints of one that has not come to its end.
+  /// on, what came after the simulation's time, but for its end file. Throws InputError for output
+  /// settings that name unknown fields or fields that the run does not model, and for a folder that
+  /// holds a run of another name or the checkpoints of one that has not come to its end.
   Recorder(const RunOptions& options, const CaseSettings& settings,
-           const Simulation<Dim>& simulation, const std::vector<double>& stateTimes);
+           const Simulation<Dim>& simulation);
 
   /// Rows of history.csv from before the run was stopped.
   const std::vector<std::vector<Figure>>& earlierRows() const { return history_->earlierRows(); }
@@ -47,7 +46,7 @@ class Recorder {
   std::string speed(const Simulation<Dim>& simulation, const ActivityClock& clock) const;
 
  private:
-  void removeOldFiles(bool isContinued, std::size_t nStates) const;
+  void removeOldFiles(bool isContinued) const;
   std::filesystem::path stateFile(std::size_t number) const;
   void draw(const Simulation<Dim>& simulation, const std::string& fileName) const;
   double updatesPerSecond(const Simulation<Dim>& simulation, const ActivityClock& clock) const;
@@ -56,8 +55,7 @@ class Recorder {
   RunOptions options_;
   CaseSettings settings_;
   FieldSet fields_;
-  PvdSeries series_;
-  std::size_t nStates_ = 0;  // VTU files written
+  PvdSeries series_;  // of the VTU files; each one's number is its place in it
   std::optional<History> history_;
   std::vector<Figure> row_;
   double earlierWallClock_ = 0;  // until the run was stopped [s]

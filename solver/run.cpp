@@ -66,8 +66,8 @@ class Run {
 
  private:
   void begin() {
-    const std::vector<double> stateTimes = servedStateTimes();
     if (simulation_.isContinued()) {
+      states_.skipTo(simulation_.time());
       rows_.skipTo(simulation_.time());
       if (pauses_) pauses_->skipTo(simulation_.time());
     }
@@ -75,22 +75,13 @@ class Run {
     requireDistinct(row);
     if (simulation_.isContinued()) History::requireColumns(options_.folder / "history.csv", row);
     validation_.emplace(settings_.validations, row);
-    recorder_.emplace(options_, settings_, simulation_, stateTimes);
+    recorder_.emplace(options_, settings_, simulation_);
     if (!options_.quiet) std::cout << describeModel(simulation_) << std::flush;
     for (const auto& earlier : recorder_->earlierRows()) validation_->addRow(earlier);
     if (simulation_.isContinued()) return;
     recorder_->addState(simulation_);
     addRow(row);
     recorder_->drawFirst(simulation_);
-  }
-
-  /// Times of the VTU files that a run that goes on has written; its schedule goes on after them.
-  std::vector<double> servedStateTimes() {
-    std::vector<double> times;
-    if (!simulation_.isContinued()) return times;
-    times.push_back(simulation_.runStart());
-    for (; states_.isDue(simulation_.time()); states_.advance()) times.push_back(states_.next());
-    return times;
   }
 
   double nextTime() const {

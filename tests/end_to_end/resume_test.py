@@ -5,10 +5,12 @@ file and the rows of history.csv have the same bits as those of a run that was n
 import filecmp
 import pathlib
 import random
+import re
 import signal
 import subprocess
 import time
 import unittest
+import xml.etree.ElementTree as ElementTree
 
 from harness import CASES, IC, SPH, Programs
 
@@ -104,6 +106,29 @@ class Resume(Programs):
         run.wait()
         self.ok(SPH, "resume", end, "-q", "--set", "solver.end_time=0.03")
         self.assertEqual(rows(folder)[-1][0], "0.03")
+
+    def test_vtu_files_keep_their_times_when_the_interval_changes(self):
+        folder = pathlib.Path(self.path("run"))
+        self.ok(SPH, "run", str(self.particles), "-o", str(folder), "-q",
+                "--set", "solver.end_time=0.02", "--set", "output.every=0.01")
+        end = str(folder / "dam_end.hdf")
+        self.ok(SPH, "resume", end, "-q", "--set", "solver.end_time=0.03",
+                "--set", "output.every=0.0025")
+        series = ElementTree.parse(folder / "dam.pvd").getroot().iter("DataSet")
+        times = [(float(entry.get("timestep")), entry.get("file")) for entry in series]
+        expected = [0, 0.01, 0.02, 0.0225, 0.025, 0.0275, 0.03]
+        self.assertEqual(len(times), len(expected))
+        for k, (time, name) in enumerate(times):
+            self.assertAlmostEqual(time, expected[k], delta=1e-9)
+            self.assertEqual(name, f"dam_{k:04}.vtu")
+            head = (folder / name).read_bytes()[:2000]
+            written = re.search(rb'Name="TimeValue"[^>]*>\s*([-+.e\d]+)', head)
+            self.assertIsNotNone(written, head)
+            self.assertEqual(float(written.group(1)), time)
+        # Without the series nobody knows the times of the files; they are not removed.
+        (folder / "dam.pvd").unlink()
+        self.refused((SPH, "resume", end, "--set", "solver.end_time=0.04"), "dam.pvd", "--output")
+        self.assertTrue((folder / "dam_0000.vtu").exists())
 
 
 if __name__ == "__main__":

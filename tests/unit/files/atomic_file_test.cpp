@@ -7,6 +7,7 @@
 #include "particles/vtu_writer.hpp"
 #include "sample_scene.hpp"
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -159,6 +160,25 @@ TEST(PvdSeries, NamesFilesRelativeToItself) {
             std::string::npos)
       << content;
   EXPECT_EQ(series.size(), 2u);
+}
+
+TEST(PvdSeries, GoesOnAfterATime) {
+  const TemporaryFolder folder;
+  const auto run = folder / "run.pvd";
+  PvdSeries whole(run), stopped(run), none(folder / "none.pvd");
+  for (const double time : {0.0, 3 * 0.05, 0.2})
+    whole.add(time, folder / fmt::format("{}&.vtu", time));
+  const std::string content = contentOf(run);
+  stopped.continueUntil(0.2 - 1e-12);
+  EXPECT_EQ(stopped.size(), 2u);
+  EXPECT_EQ(contentOf(run).find("0.2"), std::string::npos) << contentOf(run);
+  stopped.add(0.2, folder / "0.2&.vtu");
+  EXPECT_EQ(contentOf(run), content);
+
+  none.continueUntil(1);
+  EXPECT_EQ(none.size(), 0u);
+  std::filesystem::resize_file(run, content.size() - 30);
+  EXPECT_THROW(stopped.continueUntil(1), InputError);
 }
 
 }  // namespace

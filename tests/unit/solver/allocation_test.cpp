@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Steps allocate nothing: memory is the sum of the fields and does not fragment in a long run. Only
-// while a lattice loses its order, in the first steps, may lists of neighbours outgrow their room.
+// searches may: in 3-D, lists of neighbours that grow longer than ever outgrow their room.
 #include "solver/simulation.hpp"
 #include "tests/support/walled_scene.hpp"
 
