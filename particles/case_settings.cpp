@@ -19,14 +19,60 @@ Section<DomainSettings> domainSection() {
 Section<ViscositySettings> viscositySection() {
   Section<MonaghanSettings> monaghan("Monaghan's artificial viscosity Pi_ij (Monaghan 1992)");
   monaghan.number("alpha", &MonaghanSettings::alpha, "", Range::notNegative(), "linear coefficient")
-      .number("beta", &MonaghanSettings::beta, "", Range::notNegative(), "quadratic coefficient");
+      .number("beta", &MonaghanSettings::beta, "", Range::notNegative(), "quadratic coefficient")
+      .flag("balsara", &MonaghanSettings::balsara,
+            "weaker where the flow shears rather than converges (Balsara 1995); needs adaptive");
+  Section<TensorSettings> tensor(
+      "Gingold and Monaghan's tensor: (-alpha_1 c mu + alpha_2 mu^2)/rho, mu = h v.r/(r^2 + beta "
+      "h^2)");
+  tensor.number("alpha_1", &TensorSettings::alpha1, "", Range::notNegative(), "linear coefficient")
+      .number("alpha_2", &TensorSettings::alpha2, "", Range::notNegative(), "quadratic coefficient")
+      .number("beta", &TensorSettings::beta, "", Range::positive(), "softening, of h^2");
+  Section<ViscousPressureSettings> bulk(
+      "bulk viscosity: q = -alpha rho h c div v where particles converge");
+  bulk.number("alpha", &ViscousPressureSettings::alpha, "", Range::notNegative(), "its strength");
+  Section<ViscousPressureSettings> neumannRichtmyer(
+      "von Neumann and Richtmyer's: q = alpha rho h^2 (div v)^2 where particles converge");
+  neumannRichtmyer.number("alpha", &ViscousPressureSettings::alpha, "", Range::notNegative(),
+                          "its strength");
   Section<LaminarSettings> laminar(
       "viscosity of a Newtonian fluid that sticks to walls (Morris et al. 1997)");
   laminar.number("dynamic_viscosity", &LaminarSettings::dynamicViscosity, "Pa s m^(3-d)",
                  Range::positive(), "mu, of fluids that name none of their own");
-  Section<ViscositySettings> section("viscosity; absent: none");
+  Section<ViscositySettings> section(
+      "viscosity; absent: none. bulk and neumann_richtmyer together are their linear combination");
   section.section("monaghan", &ViscositySettings::monaghan, monaghan)
+      .section("tensor", &ViscositySettings::tensor, tensor)
+      .section("bulk", &ViscositySettings::bulk, bulk)
+      .section("neumann_richtmyer", &ViscositySettings::neumannRichtmyer, neumannRichtmyer)
       .section("laminar", &ViscositySettings::laminar, laminar);
+  return section;
+}
+
+Section<AdaptiveSettings> adaptiveSection() {
+  using S = AdaptiveSettings;
+  Section<S> section(
+      "a smoothing length for each particle, h = smoothing_length (m/rho)^(1/d); absent: one for "
+      "all, smoothing_length times d_ref");
+  section
+      .text("form", &S::form,
+            "grad_h: h and the particle's own density fit each other, and forces have the terms of "
+            "grad h (Springel & Hernquist 2002, Price 2012); mean_density: h from the mean density "
+            "around it, and forces with the mean kernel",
+            {"grad_h", "mean_density"})
+      .number("tolerance", &S::tolerance, "", Range::above(0, 0.1),
+              "of grad_h: by how much a density may miss its smoothing length")
+      .integer("max_iterations", &S::maxIterations, Range::between(1, 1000),
+               "of grad_h: how often a step may try")
+      .number("change_limit", &S::changeLimit, "", Range::above(0, 1),
+              "of mean_density: the part of itself by which h may change in a step; absent: none");
+  return section;
+}
+
+Section<ConductivitySettings> conductivitySection() {
+  Section<ConductivitySettings> section(
+      "artificial conduction of heat, which smooths contacts (Price 2008); absent: none");
+  section.number("alpha", &ConductivitySettings::alpha, "", Range::notNegative(), "its strength");
   return section;
 }
 
@@ -71,15 +117,23 @@ const Section<SolverSettings>& solverSection() {
       Section<S>("physics and numerics of the run")
           .text("kernel", &S::kernel, "smoothing kernel", KernelId::names())
           .number("smoothing_length", &S::smoothingLength, "d_ref", Range::between(0.6, 6),
-                  "smoothing length h; the kernel's support is 2h")
+                  "smoothing length h; the kernel's support is 2h. With adaptive in (m/rho)^(1/d)")
+          .section("adaptive", &S::adaptive, adaptiveSection())
           .text("density", &S::density,
                 "sum over neighbours (2.2), or integrated by continuity (5.23) for free surfaces",
                 {"summation", "continuity"})
           .text("momentum", &S::momentum,
                 "p/rho^2 form (2.3), (p+p)/(rho rho) form (5.24), or what matches the density",
                 {"matching", "density_squared", "density_product"})
+          .flag("self_term_correction", &S::selfTermCorrection,
+                "takes from summed densities what they have too much (Dehnen & Aly 2012): in 3-D, "
+                "of wendland_c2, c4 and c6")
+          .text("equation_of_state", &S::equationOfState,
+                "Tait's of a liquid (2.4); p = c^2 rho; or p = (gamma - 1) rho e with an equation "
+                "for the specific internal energy e",
+                {"tait", "isothermal", "ideal_gas"})
           .number("sound_speed", &S::soundSpeed, "m/s", Range::positive(),
-                  "c of the Tait equation of state (2.4)")
+                  "c of the Tait equation of state (2.4) and of an isothermal gas")
           .number("background_pressure", &S::backgroundPressure, "Pa m^(3-d)", Range::any(),
                   "p0 of the equation of state")
           .number("tait_exponent", &S::taitExponent, "", Range::between(1, 20),
@@ -88,7 +142,12 @@ const Section<SolverSettings>& solverSection() {
               "cavitation_pressure", &S::cavitationPressure, "Pa m^(3-d)", Range::any(),
               "pressures of liquids, and of walls that follow their equations, fall no lower: with "
               "0 water pulls neither at itself nor at walls; absent: no limit")
+          .number("adiabatic_index", &S::adiabaticIndex, "", Range::above(1, 10),
+                  "gamma of an ideal gas")
+          .number("molecular_weight", &S::molecularWeight, "m_H", Range::positive(),
+                  "nu, mean mass of the particles of an ideal gas: p = rho k_B T/(nu m_H)")
           .section("viscosity", &S::viscosity, viscositySection())
+          .section("conductivity", &S::conductivity, conductivitySection())
           .section("collisions", &S::collisions, collisionSection())
           .section("density_diffusion", &S::densityDiffusion, densityDiffusionSection())
           .section("shifting", &S::shifting, shiftingSection())
@@ -105,9 +164,10 @@ const Section<SolverSettings>& solverSection() {
           .number("time_step", &S::timeStep, "s", Range::positive(),
                   "fixed time step; absent: from cfl")
           .number("cfl", &S::cfl, "", Range::above(0, 2),
-                  "time step = cfl min(h/(c + |v|), sqrt(h/|a|)), at most h^2/(8 nu)")
+                  "time step = cfl min(h/(c + |v|), sqrt(h/|a|)), at most h^2/(8 nu); in gases "
+                  "docs/gas.md")
           .number("speed_limit", &S::speedLimit, "c", Range::positive(),
-                  "the run stops when a particle is faster")
+                  "the run stops when a particle is faster; absent: 5, and none for an ideal gas")
           .text("precision", &S::precision,
                 "numbers in which pairs are computed: float with the state in double (mixed), or "
                 "double",

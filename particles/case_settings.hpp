@@ -24,6 +24,19 @@ struct DomainSettings {
 struct MonaghanSettings {
   double alpha = 0.1;
   double beta = 0;
+  bool balsara = false;  ///< less where the flow shears rather than converges
+};
+
+/// The viscosity that Gingold and Monaghan's tensor is with [A]: Monaghan's with another softening.
+struct TensorSettings {
+  double alpha1 = 0.8;
+  double alpha2 = 0;
+  double beta = 0.1;  ///< of h^2, in mu
+};
+
+/// A viscous pressure q of what converges; see [A] (4.8), (4.9).
+struct ViscousPressureSettings {
+  double alpha = 0.8;
 };
 
 /// The physical viscosity of a Newtonian fluid, which sticks to walls.
@@ -33,7 +46,23 @@ struct LaminarSettings {
 
 struct ViscositySettings {
   std::optional<MonaghanSettings> monaghan = {};
+  std::optional<TensorSettings> tensor = {};
+  std::optional<ViscousPressureSettings> bulk = {};
+  std::optional<ViscousPressureSettings> neumannRichtmyer = {};
   std::optional<LaminarSettings> laminar = {};
+};
+
+/// A smoothing length for each particle, that follows its density.
+struct AdaptiveSettings {
+  std::string form = "grad_h";
+  double tolerance = 1e-4;            ///< of densities, for grad_h
+  int maxIterations = 50;             ///< a step
+  std::optional<double> changeLimit;  ///< of a step, for mean_density; absent: none
+};
+
+/// Artificial conduction of heat.
+struct ConductivitySettings {
+  double alpha = 1;
 };
 
 /// delta-SPH: diffusion of the density, in the continuity equation.
@@ -58,11 +87,17 @@ struct SolverSettings {
   double smoothingLength = 1.5;  ///< h / d_ref
   std::string density = "summation";
   std::string momentum = "matching";
+  std::string equationOfState = "tait";
   double soundSpeed = 10;                    ///< [m/s]
   double backgroundPressure = 0;             ///< p0 [Pa m^(3-d)]
   double taitExponent = 1;                   ///< gamma
   std::optional<double> cavitationPressure;  ///< the least [Pa m^(3-d)]; absent: none
+  double adiabaticIndex = 5.0 / 3;           ///< gamma of an ideal gas
+  double molecularWeight = 1;                ///< nu of an ideal gas: its particle's mass [m_H]
+  std::optional<AdaptiveSettings> adaptive;  ///< absent: all have the same smoothing length
+  bool selfTermCorrection = false;           ///< of summed densities
   std::optional<ViscositySettings> viscosity;
+  std::optional<ConductivitySettings> conductivity;
   std::optional<CollisionSettings> collisions;
   std::optional<DensityDiffusionSettings> densityDiffusion;
   std::optional<ShiftingSettings> shifting;
@@ -71,9 +106,10 @@ struct SolverSettings {
   std::string integrator = "symplectic_euler";
   std::optional<double> timeStep;  ///< fixed [s]; absent: from cfl
   double cfl = 0.2;
-  double speedLimit = 5;            ///< [c]: a particle that is faster ends the run
-  std::string precision = "mixed";  ///< of pairs; the state is in double
-  double endTime = 1;               ///< [s]
+  std::optional<double> speedLimit;  ///< [c]: a particle that is faster ends the run; absent: 5,
+                                     ///< none in an ideal gas
+  std::string precision = "mixed";   ///< of pairs; the state is in double
+  double endTime = 1;                ///< [s]
 
   /// Density and pressure of walls follow the fluid's equations.
   bool wallsEvolve() const { return wallPressure == "equation_of_state"; }
@@ -81,6 +117,8 @@ struct SolverSettings {
   bool wallsExtrapolate() const { return wallPressure == "extrapolated"; }
   bool sumsDensity() const { return density == "summation"; }
   bool kicksTwice() const { return integrator == "kick_drift_kick"; }
+  /// Particles have an internal energy, and pressure and speed of sound follow from it.
+  bool isIdealGas() const { return equationOfState == "ideal_gas"; }
   const MonaghanSettings* monaghan() const {
     return viscosity && viscosity->monaghan ? &*viscosity->monaghan : nullptr;
   }

@@ -287,10 +287,10 @@ std::size_t Simulation<Dim>::fastestParticle() const {
 
 template <int Dim>
 void Simulation<Dim>::requireSpeedLimit() const {
-  const double limit = settings_.speedLimit * phases_.largestSoundSpeed();
+  const double limit = settings_.speedLimit.value_or(5) * phases_.largestSoundSpeed();
   if (record_.fastest <= limit) return;
   fail(fmt::format("its speed {:g} m/s is above solver.speed_limit = {:g} c", record_.fastest,
-                   settings_.speedLimit),
+                   settings_.speedLimit.value_or(5)),
        fastestParticle());
 }
 
