@@ -304,6 +304,26 @@ void Engine<Dim>::loadPositions(Numbers<T>& numbers, const ParticleSet<Dim>& par
   });
 }
 
+namespace {
+
+template <int Dim>
+DerivedSource sourceOf(const DerivedField& derived, const ParticleSet<Dim>& particles) {
+  const auto valuesOf = [&](Field<Rank::scalar> wanted, FieldSet among) -> const double* {
+    return among.has(wanted) && particles.has(wanted) ? particles[wanted].data() : nullptr;
+  };
+  DerivedSource source{};
+  for (const auto candidate : {field::mass, field::pressure})
+    if (derived.numerator.has(candidate)) source.numerator = particles[candidate].data();
+  source.addend = valuesOf(field::viscousPressure, derived.addend);
+  source.density = particles[field::density].data();
+  if (derived.power == 2)
+    source.secondDensity =
+        particles.has(field::omegaDensity) ? particles[field::omegaDensity].data() : source.density;
+  return source;
+}
+
+}  // namespace
+
 template <int Dim>
 template <class T>
 void Engine<Dim>::loadFields(Numbers<T>& numbers, FieldSet reads,
@@ -333,11 +353,8 @@ void Engine<Dim>::loadFields(Numbers<T>& numbers, FieldSet reads,
     });
     for (const DerivedField& derived : derivedTable) {
       if (!reads.has(derived.id)) continue;
-      const double* numerator = nullptr;
-      if (derived.numerator.has(FieldId::mass)) numerator = particles[field::mass].data();
-      if (derived.numerator.has(FieldId::pressure)) numerator = particles[field::pressure].data();
-      load.derived(numerator, particles[field::density].data(), derived.power, scaleOf(derived.id),
-                   run, stride, placeOf(derived.id));
+      load.derived(sourceOf(derived, particles), scaleOf(derived.id), run, stride,
+                   placeOf(derived.id));
     }
   });
 }

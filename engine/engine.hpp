@@ -61,11 +61,17 @@ class SumView {
     }
   }
 
+  /// Calls body(i, place) for each particle of a cluster.
+  template <class Body>
+  void forEachPlace(std::size_t cluster, Body&& body) const {
+    const std::size_t first = clusters_->firstOf(cluster), end = clusters_->endOf(cluster);
+    for (std::size_t i = first; i < end; ++i) body(i, i - first);
+  }
+
   /// Calls body(i, sum) for each particle of a cluster.
   template <class Body>
   void forEach(std::size_t cluster, Body&& body) const {
-    const std::size_t first = clusters_->firstOf(cluster), end = clusters_->endOf(cluster);
-    for (std::size_t i = first; i < end; ++i) body(i, at(cluster, i - first));
+    forEachPlace(cluster, [&](std::size_t i, std::size_t place) { body(i, at(cluster, place)); });
   }
 
  private:

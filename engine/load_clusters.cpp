@@ -68,16 +68,17 @@ void loadField(const double* values, double scale, const ClusterRun& run, std::s
 }
 
 template <class Isa, class T>
-void loadDerived(const double* numerator, const double* density, int power, double scale,
-                 const ClusterRun& run, std::size_t stride, T* to) {
+void loadDerived(const DerivedSource& source, double scale, const ClusterRun& run,
+                 std::size_t stride, T* to) {
   for (std::size_t c = run.begin; c < run.end; ++c, to += stride) {
     const std::size_t begin = run.first[c], count = run.first[c + 1] - begin;
     double values[n];
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = begin + (k < count ? k : count - 1);
-      const double inverse = 1 / density[i];
-      values[k] = (numerator != nullptr ? numerator[i] : 1) * inverse;
-      if (power == 2) values[k] *= inverse;
+      double numerator = source.numerator != nullptr ? source.numerator[i] : 1;
+      if (source.addend != nullptr) numerator += source.addend[i];
+      values[k] = numerator * (1 / source.density[i]);
+      if (source.secondDensity != nullptr) values[k] *= 1 / source.secondDensity[i];
     }
     transpose<Isa, 1>(values, scale, to);
   }
@@ -85,8 +86,7 @@ void loadDerived(const double* numerator, const double* density, int power, doub
 
 using Isa = isa::PLENUM_ISA;
 using T = PLENUM_REAL;
-template void loadDerived<Isa, T>(const double*, const double*, int, double, const ClusterRun&,
-                                  std::size_t, T*);
+template void loadDerived<Isa, T>(const DerivedSource&, double, const ClusterRun&, std::size_t, T*);
 template void loadPositions<Isa, T, 1>(const PositionSource<1>&, const ClusterRun&, T*);
 template void loadPositions<Isa, T, 2>(const PositionSource<2>&, const ClusterRun&, T*);
 template void loadPositions<Isa, T, 3>(const PositionSource<3>&, const ClusterRun&, T*);

@@ -38,9 +38,14 @@ template <class Isa, class T, int components>
 void loadField(const double* values, double scale, const ClusterRun& run, std::size_t stride,
                T* to);
 
-/// The same for a field that is computed: numerator / density^power, numerator null for 1.
+/// Of all particles: (numerator + addend) / (density secondDensity); null: 1, 0 and 1.
+struct DerivedSource {
+  const double *numerator, *addend, *density, *secondDensity;
+};
+
+/// The same for a field that is computed.
 template <class Isa, class T>
-void loadDerived(const double* numerator, const double* density, int power, double scale,
-                 const ClusterRun& run, std::size_t stride, T* to);
+void loadDerived(const DerivedSource& source, double scale, const ClusterRun& run,
+                 std::size_t stride, T* to);
 
 }  // namespace plenum

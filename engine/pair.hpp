@@ -41,6 +41,8 @@ struct ParticleView {
   Real pressureOverDensitySquared;  ///< p/rho^2
   Real dynamicViscosity;
   Real soundSpeed;
+  Real internalEnergy;
+  Real viscosityLimiter;
   Vec<Dim, Real> densityGradient;
 
   template <class Visit>
@@ -56,6 +58,8 @@ struct ParticleView {
           &ParticleView::pressureOverDensitySquared);
     visit(FieldTag<FieldId::dynamicViscosity>{}, &ParticleView::dynamicViscosity);
     visit(FieldTag<FieldId::soundSpeed>{}, &ParticleView::soundSpeed);
+    visit(FieldTag<FieldId::internalEnergy>{}, &ParticleView::internalEnergy);
+    visit(FieldTag<FieldId::viscosityLimiter>{}, &ParticleView::viscosityLimiter);
     visit(FieldTag<FieldId::densityGradient>{}, &ParticleView::densityGradient);
   }
 };
@@ -111,6 +115,11 @@ struct Sums {
   Real kernelSum{0};
   Real pressure{0};
   Real positionDivergence{0};
+  Real omegaDensity{0};
+  Real densityRate{0};
+  Real densityMoment{0};
+  Real power{0};
+  VectorSum<Real, Dim> velocityCurl;
   VectorSum<Real, Dim> kernelGradient;
   VectorSum<Real, Dim> push;
   VectorSum<Real, Dim> acceleration;  ///< what is no exchange: for terms that are not symmetric
@@ -130,6 +139,11 @@ struct Sums {
     visit(FieldTag<FieldId::acceleration>{}, &Sums::acceleration);
     visit(FieldTag<FieldId::pressure>{}, &Sums::pressure);
     visit(FieldTag<FieldId::positionDivergence>{}, &Sums::positionDivergence);
+    visit(FieldTag<FieldId::omegaDensity>{}, &Sums::omegaDensity);
+    visit(FieldTag<FieldId::densityRate>{}, &Sums::densityRate);
+    visit(FieldTag<FieldId::densityMoment>{}, &Sums::densityMoment);
+    visit(FieldTag<FieldId::power>{}, &Sums::power);
+    visit(FieldTag<FieldId::velocityCurl>{}, &Sums::velocityCurl);
     visit(FieldTag<FieldId::velocity>{}, &Sums::velocity);
     visit(FieldTag<FieldId::massMoment>{}, &Sums::massMoment);
     visit(FieldTag<FieldId::densityGradient>{}, &Sums::densityGradient);

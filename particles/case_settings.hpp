@@ -122,6 +122,21 @@ struct SolverSettings {
   const MonaghanSettings* monaghan() const {
     return viscosity && viscosity->monaghan ? &*viscosity->monaghan : nullptr;
   }
+  const TensorSettings* tensor() const {
+    return viscosity && viscosity->tensor ? &*viscosity->tensor : nullptr;
+  }
+  const ViscousPressureSettings* bulk() const {
+    return viscosity && viscosity->bulk ? &*viscosity->bulk : nullptr;
+  }
+  const ViscousPressureSettings* neumannRichtmyer() const {
+    return viscosity && viscosity->neumannRichtmyer ? &*viscosity->neumannRichtmyer : nullptr;
+  }
+  bool usesBalsara() const { return monaghan() != nullptr && monaghan()->balsara; }
+  /// Particles have a smoothing length each in the loops, be it the same.
+  bool hasOwnLengths() const {
+    return adaptive || isIdealGas() || usesBalsara() || bulk() != nullptr ||
+           neumannRichtmyer() != nullptr;
+  }
   const LaminarSettings* laminar() const {
     return viscosity && viscosity->laminar ? &*viscosity->laminar : nullptr;
   }

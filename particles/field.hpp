@@ -41,6 +41,8 @@ enum class FieldId : std::uint8_t {
   referencePosition,
   referenceNormal,
   acceleration,
+  internalEnergyRate,
+  velocityDivergence,
   // constants of a particle's material, where these differ
   dynamicViscosity,
   soundSpeed,
@@ -48,8 +50,15 @@ enum class FieldId : std::uint8_t {
   volume,
   specificVolume,
   pressureOverDensitySquared,
+  // of a gas, anew in each step
+  omegaDensity,
+  viscousPressure,
+  viscosityLimiter,
   // sums of a step
-  velocityDivergence,
+  densityRate,
+  densityMoment,
+  velocityCurl,
+  power,
   force,
   impulse,
   massMoment,
@@ -187,6 +196,24 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      true,
      "acceleration at the end of the last step",
      {0, 1, 0, -2}},
+    {FieldId::internalEnergyRate,
+     "internal_energy_rate",
+     "InternalEnergyRates",
+     "W/kg",
+     Rank::scalar,
+     Scope::fluid,
+     true,
+     "rate of the specific internal energy at the end of the last step",
+     {0, 2, 0, -3}},
+    {FieldId::velocityDivergence,
+     "velocity_divergence",
+     "VelocityDivergences",
+     "1/s",
+     Rank::scalar,
+     Scope::all,
+     true,
+     "divergence of the velocity",
+     {0, 0, 0, -1}},
     {FieldId::dynamicViscosity,
      "dynamic_viscosity",
      "DynamicViscosities",
@@ -230,17 +257,64 @@ inline constexpr std::array<FieldInfo, nFields> fieldTable{{
      Rank::scalar,
      Scope::all,
      false,
-     "pressure over density squared",
+     "pressure over density squared; in a gas (p + q)/(Omega rho^2)",
      {-1, 2, 1, -2}},
-    {FieldId::velocityDivergence,
-     "velocity_divergence",
-     "VelocityDivergences",
-     "1/s",
+    {FieldId::omegaDensity,
+     "omega_density",
+     "OmegaDensities",
+     "kg/m^d",
      Rank::scalar,
      Scope::all,
      false,
-     "divergence of the velocity",
-     {0, 0, 0, -1}},
+     "density times Omega, the correction for smoothing lengths that vary",
+     {1, 0, -1, 0}},
+    {FieldId::viscousPressure,
+     "viscous_pressure",
+     "ViscousPressures",
+     "Pa m^(3-d)",
+     Rank::scalar,
+     Scope::all,
+     false,
+     "pressure that opposes convergence",
+     {1, 2, -1, -2}},
+    {FieldId::viscosityLimiter, "viscosity_limiter", "ViscosityLimiters", "", Rank::scalar,
+     Scope::all, false, "share of the artificial viscosity that acts; small in shear"},
+    {FieldId::densityRate,
+     "density_rate",
+     "DensityRates",
+     "kg/(m^d s)",
+     Rank::scalar,
+     Scope::all,
+     false,
+     "sum of m v . grad W, Omega times the density's rate",
+     {1, 0, -1, -1}},
+    {FieldId::densityMoment,
+     "density_moment",
+     "DensityMoments",
+     "kg^2/m^(2d)",
+     Rank::scalar,
+     Scope::all,
+     false,
+     "sum of m rho W",
+     {2, 0, -2, 0}},
+    {FieldId::velocityCurl,
+     "velocity_curl",
+     "VelocityCurls",
+     "kg/(m^d s)",
+     Rank::vector,
+     Scope::all,
+     false,
+     "sum of m grad W x v, Omega times density times the curl of the velocity; in 2-D its z first",
+     {1, 0, -1, -1}},
+    {FieldId::power,
+     "power",
+     "Powers",
+     "W",
+     Rank::scalar,
+     Scope::fluid,
+     false,
+     "change of the internal energy in time",
+     {1, 2, 0, -3}},
     {FieldId::force,
      "force",
      "Forces",
@@ -348,13 +422,21 @@ inline constexpr Field<Rank::scalar> wallDistance{FieldId::wallDistance};
 inline constexpr Field<Rank::vector> referencePosition{FieldId::referencePosition};
 inline constexpr Field<Rank::vector> referenceNormal{FieldId::referenceNormal};
 inline constexpr Field<Rank::vector> acceleration{FieldId::acceleration};
+inline constexpr Field<Rank::scalar> internalEnergyRate{FieldId::internalEnergyRate};
+inline constexpr Field<Rank::scalar> velocityDivergence{FieldId::velocityDivergence};
 inline constexpr Field<Rank::scalar> dynamicViscosity{FieldId::dynamicViscosity};
 inline constexpr Field<Rank::scalar> soundSpeed{FieldId::soundSpeed};
 inline constexpr Field<Rank::scalar> volume{FieldId::volume};
 inline constexpr Field<Rank::scalar> specificVolume{FieldId::specificVolume};
 inline constexpr Field<Rank::scalar> pressureOverDensitySquared{
     FieldId::pressureOverDensitySquared};
-inline constexpr Field<Rank::scalar> velocityDivergence{FieldId::velocityDivergence};
+inline constexpr Field<Rank::scalar> omegaDensity{FieldId::omegaDensity};
+inline constexpr Field<Rank::scalar> viscousPressure{FieldId::viscousPressure};
+inline constexpr Field<Rank::scalar> viscosityLimiter{FieldId::viscosityLimiter};
+inline constexpr Field<Rank::scalar> densityRate{FieldId::densityRate};
+inline constexpr Field<Rank::scalar> densityMoment{FieldId::densityMoment};
+inline constexpr Field<Rank::vector> velocityCurl{FieldId::velocityCurl};
+inline constexpr Field<Rank::scalar> power{FieldId::power};
 inline constexpr Field<Rank::vector> force{FieldId::force};
 inline constexpr Field<Rank::vector> impulse{FieldId::impulse};
 inline constexpr Field<Rank::vector> massMoment{FieldId::massMoment};

@@ -10,6 +10,7 @@ Conserved& Conserved::operator+=(const Conserved& other) {
   kineticEnergy += other.kineticEnergy;
   potentialEnergy += other.potentialEnergy;
   compressionEnergy += other.compressionEnergy;
+  internalEnergy += other.internalEnergy;
   for (std::size_t a = 0; a < 3; ++a) {
     momentum[a] += other.momentum[a];
     angularMomentum[a] += other.angularMomentum[a];
@@ -24,6 +25,8 @@ Conserved measureConserved(const Simulation<Dim>& simulation) {
   const auto velocity = particles[field::velocity];
   const auto mass = particles[field::mass];
   const auto density = particles[field::density];
+  std::span<const double> energy;  // of an ideal gas
+  if (particles.has(field::internalEnergy)) energy = particles[field::internalEnergy];
   std::span<const std::int32_t> material;
   if (particles.has(field::material)) material = particles[field::material];
   const Vec<Dim> gravity = simulation.gravity();
@@ -35,7 +38,11 @@ Conserved measureConserved(const Simulation<Dim>& simulation) {
     c.mass = m;
     c.kineticEnergy = 0.5 * m * normSquared(velocity[i]);
     c.potentialEnergy = -m * dot(gravity, position[i]);
-    c.compressionEnergy = m * simulation.materials().of(material, i).compressionEnergy(density[i]);
+    if (energy.empty())
+      c.compressionEnergy =
+          m * simulation.materials().of(material, i).compressionEnergy(density[i]);
+    else
+      c.internalEnergy = m * energy[i];
     for (std::size_t a = 0; a < 3; ++a) {
       const std::size_t b = (a + 1) % 3, d = (a + 2) % 3;
       c.momentum[a] = m * v[a];

@@ -20,10 +20,33 @@ std::string densityLine(const SolverSettings& s) {
   return text + "\n";
 }
 
+std::string smoothingLine(const SolverSettings& s) {
+  if (!s.adaptive) return "";
+  if (s.adaptive->form == "grad_h")
+    return fmt::format("smoothing        h = {:g} (m/rho)^(1/d), grad-h terms, to {:g}\n",
+                       s.smoothingLength, s.adaptive->tolerance);
+  return fmt::format("smoothing        h = {:g} (m/rho_mean)^(1/d){}\n", s.smoothingLength,
+                     s.adaptive->changeLimit
+                         ? fmt::format(", at most {:g} % a step", 100 * *s.adaptive->changeLimit)
+                         : "");
+}
+
+std::string gasLine(const Material& material, const SolverSettings& s) {
+  if (!s.isIdealGas())
+    return fmt::format("fluid            {}: isothermal gas with c = {:g} m/s\n", material.name,
+                       material.soundSpeed.value_or(s.soundSpeed));
+  return fmt::format("fluid            {}: ideal gas with gamma = {:g}\n", material.name,
+                     s.adiabaticIndex);
+}
+
 std::string phaseLines(const Phases& phases, const std::vector<Material>& materials,
                        const SolverSettings& s) {
   std::string text;
   for (std::size_t k = 0; k < phases.size(); ++k) {
+    if (s.equationOfState != "tait") {
+      text += gasLine(materials[k], s);
+      continue;
+    }
     const Tait& state = phases[k].state;
     text += fmt::format(
         "fluid            {}: rho0 = {:g}, Tait with c = {:g} m/s, gamma = {:g}, "
@@ -45,6 +68,16 @@ std::string forceLines(const SolverSettings& s) {
   if (s.monaghan())
     text += fmt::format("viscosity        Monaghan: alpha = {:g}, beta = {:g}\n",
                         s.monaghan()->alpha, s.monaghan()->beta);
+  if (s.usesBalsara()) text += "viscosity        with Balsara's limiter\n";
+  if (s.tensor())
+    text += fmt::format("viscosity        tensor: alpha_1 = {:g}, alpha_2 = {:g}, beta = {:g}\n",
+                        s.tensor()->alpha1, s.tensor()->alpha2, s.tensor()->beta);
+  if (s.bulk()) text += fmt::format("viscosity        bulk: alpha = {:g}\n", s.bulk()->alpha);
+  if (s.neumannRichtmyer())
+    text += fmt::format("viscosity        von Neumann-Richtmyer: alpha = {:g}\n",
+                        s.neumannRichtmyer()->alpha);
+  if (s.conductivity)
+    text += fmt::format("conductivity     alpha = {:g} (Price 2008)\n", s.conductivity->alpha);
   if (s.laminar()) text += "viscosity        laminar (Morris et al. 1997), walls without slip\n";
   if (s.collisions)
     text += fmt::format("collisions       {} pairs closer than {:g} d_ref, restitution {:g}\n",
@@ -67,8 +100,11 @@ std::string wallLine(std::size_t nWalls, const std::string& model) {
 template <int Dim>
 std::string leftOut(const Simulation<Dim>& simulation) {
   const SolverSettings& s = simulation.settings();
-  std::vector<std::string> absent{"energy equation"};
-  if (!s.monaghan() && !s.laminar()) absent.push_back("viscosity");
+  std::vector<std::string> absent;
+  if (!s.isIdealGas()) absent.push_back("energy equation");
+  if (s.hasOwnLengths() && !s.adaptive) absent.push_back("adaptive smoothing lengths");
+  if (!s.viscosity) absent.push_back("viscosity");
+  if (s.isIdealGas() && !s.conductivity) absent.push_back("conductivity");
   if (!s.collisions) absent.push_back("collisions");
   if (s.gravity.empty()) absent.push_back("gravity");
   if (simulation.particles().nWalls() == 0) absent.push_back("walls");
@@ -84,9 +120,11 @@ std::string describeModel(const Simulation<Dim>& simulation) {
   const ParticleSet<Dim>& particles = simulation.particles();
   std::string text = fmt::format(
       "particles        {} fluid, {} wall, {}-D, d_ref = {:g} m\n"
-      "kernel           {}, h = {:g} d_ref, support {:g} m\n",
+      "kernel           {}, h = {:g} {}, {}support {:g} m\n",
       particles.nFluid(), particles.nWalls(), Dim, simulation.info().spacing, s.kernel,
-      s.smoothingLength, simulation.engine().support());
+      s.smoothingLength, s.adaptive ? "(m/rho)^(1/d)" : "d_ref", s.adaptive ? "largest " : "",
+      simulation.engine().support());
+  text += smoothingLine(s);
   text += phaseLines(simulation.phases(), simulation.info().materials, s);
   text += densityLine(s) + forceLines(s);
   if (!s.gravity.empty())

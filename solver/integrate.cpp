@@ -11,6 +11,7 @@ namespace plenum {
 
 namespace {
 
+constexpr auto isPositive = [](double x) { return x > 0 && std::isfinite(x); };
 constexpr auto isFiniteVector = [](const auto& v) { return std::isfinite(normSquared(v)); };
 
 double squareOf(double x) { return x * x; }
@@ -76,8 +77,7 @@ Advanced advanceDensities(Engine<Dim>& engine, ParticleSet<Dim>& particles, doub
     result = advance(
         particles[field::density], divergences, wallsToo,
         [&](std::size_t, double rho, double div) { return rho * (1 - dt * div); },
-        [&](std::size_t, double rho, double div) { return rho / (1 - dt * div); },
-        [](double rho) { return rho > 0 && std::isfinite(rho); });
+        [&](std::size_t, double rho, double div) { return rho / (1 - dt * div); }, isPositive);
   });
   return result;
 }
@@ -128,6 +128,46 @@ void kickByAccelerations(Engine<Dim>& engine, ParticleSet<Dim>& particles, doubl
 }
 
 template <int Dim>
+Advanced heat(Engine<Dim>& engine, ParticleSet<Dim>& particles, double dt) {
+  const auto integrating = engine.stopwatch().lap(Part::integrate);
+  const std::span<const double> mass = std::as_const(particles)[field::mass];
+  Advanced result;
+  engine.withSums(field::power, [&](const auto& powers) {
+    result = advance(
+        particles[field::internalEnergy].first(particles.nFluid()), powers, false,
+        [&](std::size_t i, double e, double power) { return e + dt * power / mass[i]; },
+        [&](std::size_t i, double e, double power) { return e - dt * power / mass[i]; },
+        isPositive);
+  });
+  return result;
+}
+
+template <int Dim>
+void storeHeating(Engine<Dim>& engine, ParticleSet<Dim>& particles) {
+  const auto integrating = engine.stopwatch().lap(Part::integrate);
+  const std::span<const double> mass = std::as_const(particles)[field::mass];
+  const auto rate = particles[field::internalEnergyRate];
+  engine.forEachSum(
+      Group::fluids, [&](std::size_t i, double power) { rate[i] = power / mass[i]; }, field::power);
+}
+
+template <int Dim>
+Advanced heatByRates(Engine<Dim>& engine, ParticleSet<Dim>& particles, double dt) {
+  const auto integrating = engine.stopwatch().lap(Part::integrate);
+  const auto energy = particles[field::internalEnergy];
+  const auto rate = std::as_const(particles)[field::internalEnergyRate];
+  std::size_t bad = rate.size();
+#pragma omp parallel for schedule(static) reduction(min : bad) if (rate.size() >= worthThreads)
+  for (std::size_t i = 0; i < rate.size(); ++i) {
+    energy[i] += dt * rate[i];
+    if (!isPositive(energy[i])) bad = std::min(bad, i);
+  }
+  if (bad == rate.size()) return {};
+  forEachIndex(rate.size(), [&](std::size_t i) { energy[i] -= dt * rate[i]; });
+  return {0, bad};
+}
+
+template <int Dim>
 Advanced takeImpulses(Engine<Dim>& engine, ParticleSet<Dim>& particles) {
   const auto integrating = engine.stopwatch().lap(Part::integrate);
   const std::span<const double> mass = std::as_const(particles)[field::mass];
@@ -172,6 +212,9 @@ double largestNorm(std::span<const Vec<Dim>> vectors) {
   template Advanced kick(Engine<Dim>&, ParticleSet<Dim>&, const Vec<Dim>&, double);       \
   template Advanced storeAccelerations(Engine<Dim>&, ParticleSet<Dim>&, const Vec<Dim>&); \
   template void kickByAccelerations(Engine<Dim>&, ParticleSet<Dim>&, double);             \
+  template Advanced heat(Engine<Dim>&, ParticleSet<Dim>&, double);                        \
+  template void storeHeating(Engine<Dim>&, ParticleSet<Dim>&);                            \
+  template Advanced heatByRates(Engine<Dim>&, ParticleSet<Dim>&, double);                 \
   template Advanced takeImpulses(Engine<Dim>&, ParticleSet<Dim>&);                        \
   template void drift(Engine<Dim>&, const Box<Dim>&, ParticleSet<Dim>&, double, double);  \
   template void wrapPositions(const Box<Dim>&, ParticleSet<Dim>&);                        \

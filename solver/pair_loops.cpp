@@ -3,7 +3,6 @@
 // Run-time choices become template arguments here and nowhere else. This source is compiled once
 // for each instruction set and precision: PLENUM_ISA and PLENUM_REAL.
 #include "engine/instruction_set.hpp"
-#include "engine/pair_loop.hpp"
 #include "solver/pass_choice.hpp"
 
 #include <algorithm>
@@ -18,7 +17,7 @@ void sumChosen(const TileWork<Dim, typename Real::Scalar>& work, const void* cho
   const auto& choice = *static_cast<const PassChoice*>(chosen);
   const Pass<Profile, Terms...> pass{profileOf<Profile>(choice.kernel),
                                      choice.smoothingLength,
-                                     {static_cast<const Terms&>(choice.terms)...}};
+                                     {std::get<Terms>(choice.terms)...}};
   TileLoop<Real, Dim, Profile, Terms...>(work, pass).run();
 }
 
@@ -29,13 +28,14 @@ TileFunction<Dim, T> tileFunction(const PassChoice& choice) {
   using Real = Pack<T, std::min<int>(Isa::bytes / sizeof(T), clusterSize), Isa>;
   TileFunction<Dim, T> function = nullptr;
   int k = 0;
-  forEachTermList(
-      [&]<class... Terms, bool isTuned>(TermList<Terms...> list, std::bool_constant<isTuned>) {
-        if (k++ != choice.termList) return;
-        withLoopProfile<Dim, list.usesKernel, isTuned>(choice.kernel, [&]<class Profile>(Profile) {
-          function = &sumChosen<Real, Dim, Profile, Terms...>;
-        });
-      });
+  forEachTermList([&]<template <class...> class List, class... Terms, bool isTuned>(
+                      List<Terms...> list, std::bool_constant<isTuned>) {
+    if (k++ != choice.termList) return;
+    withLoopProfile<Dim, list.usesKernel, isTuned>(choice.kernel, [&]<class Profile>(Profile) {
+      using Own = typename List<Terms...>::template ProfileOf<Profile>;
+      function = &sumChosen<Real, Dim, Own, Terms...>;
+    });
+  });
   return function;
 }
 

@@ -18,13 +18,15 @@ struct StepPasses {
   PairPass<Dim> density;          ///< writes density or velocityDivergence
   PairPass<Dim> densityAtWalls;   ///< writes the rest of it, where `density` is of fluids alone
   PairPass<Dim> atWalls;          ///< writes what is before the walls
-  PairPass<Dim> forces;           ///< writes force
+  PairPass<Dim> densityMoment;    ///< writes densityMoment, for the mean density
+  PairPass<Dim> convergence;      ///< writes densityRate and velocityCurl, before `forces`
+  PairPass<Dim> forces;           ///< writes force; in a gas densityRate and power, too
   PairPass<Dim> collisions;       ///< writes impulse
   PairPass<Dim> concentration;    ///< writes kernelGradient and positionDivergence
 
-  std::array<const PairPass<Dim>*, 7> all() const {
-    return {&densityGradient, &density,    &densityAtWalls, &atWalls,
-            &forces,          &collisions, &concentration};
+  std::array<const PairPass<Dim>*, 9> all() const {
+    return {&densityGradient, &density, &densityAtWalls, &atWalls,      &densityMoment,
+            &convergence,     &forces,  &collisions,     &concentration};
   }
 };
 

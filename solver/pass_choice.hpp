@@ -1,36 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which terms share a loop. A new term is one more base of `AllTerms` and one more line, or a
+// Which terms share a loop. A new term is one more of `AllTerms` and one more line, or a
 // longer one, in `forEachTermList`.
 #pragma once
 
 #include "engine/loop_profile.hpp"
+#include "engine/pair_loop.hpp"
 #include "engine/tile_work.hpp"
+#include "solver/gas_terms.hpp"
 #include "solver/terms.hpp"
 
 namespace plenum {
 
 /// Every term with its parameters; those that a pass does not have are unused.
-struct AllTerms : term::DensitySum,
-                  term::Continuity,
-                  term::DensityGradient,
-                  term::DensityDiffusion,
-                  term::PressureDensitySquared,
-                  term::PressureDensityProduct,
-                  term::MonaghanViscosity,
-                  term::MonaghanViscosityOfPhases,
-                  term::LaminarViscosity,
-                  term::LaminarViscosityOfPhases,
-                  term::FluidAtWall,
-                  term::VelocityAtWall,
-                  term::Concentration,
-                  term::Collision {};
+using AllTerms =
+    std::tuple<term::DensitySum, term::Continuity, term::DensityGradient, term::DensityDiffusion,
+               term::PressureDensitySquared, term::PressureDensityProduct, term::MonaghanViscosity,
+               term::MonaghanViscosityOfPhases, term::LaminarViscosity,
+               term::LaminarViscosityOfPhases, term::FluidAtWall, term::VelocityAtWall,
+               term::Concentration, term::Collision, term::OmegaDensity, term::DensityMoment,
+               term::DensityRate, term::VelocityCurl, term::PressureGradH, term::PressureWorkGradH,
+               term::PressureWork, term::ViscousHeating, term::BalsaraViscosity,
+               term::BalsaraHeating, term::Conductivity>;
 
 template <class... Terms>
 struct TermList {
   static constexpr FieldSet reads = (FieldSet{} | ... | Terms::reads);
   static constexpr FieldSet writes = (FieldSet{} | ... | Terms::writes);
   static constexpr bool usesKernel = (Terms::usesKernel || ...);
+
+  template <class Profile>
+  using ProfileOf = Profile;
+};
+
+/// The same for particles that have a smoothing length each.
+template <class... Terms>
+struct OwnLengths {
+  static constexpr FieldSet reads = TermList<Terms...>::reads | FieldSet{field::smoothingLength};
+  static constexpr FieldSet writes = TermList<Terms...>::writes;
+  static constexpr bool usesKernel = true;
+
+  template <class Profile>
+  using ProfileOf = Adaptive<Profile>;
 };
 
 /// The lists of terms that have a loop of their own. visit(list, isTuned): the first ones, where
@@ -56,6 +67,20 @@ constexpr void forEachTermList(Visit&& visit) {
   visit(TermList<Continuity, DensityDiffusion>{}, generic);
   visit(TermList<FluidAtWall>{}, generic);
   visit(TermList<FluidAtWall, VelocityAtWall>{}, generic);
+  visit(OwnLengths<DensitySum, OmegaDensity>{}, tuned);
+  visit(OwnLengths<DensityMoment>{}, generic);
+  visit(OwnLengths<DensityRate, VelocityCurl>{}, generic);
+  visit(OwnLengths<PressureDensitySquared, MonaghanViscosityOfPhases, DensityRate>{}, generic);
+  visit(OwnLengths<PressureGradH, MonaghanViscosityOfPhases, DensityRate>{}, generic);
+  visit(OwnLengths<PressureGradH, PressureWorkGradH, MonaghanViscosityOfPhases, ViscousHeating,
+                   DensityRate>{},
+        tuned);
+  visit(OwnLengths<PressureGradH, PressureWorkGradH, BalsaraViscosity, BalsaraHeating, Conductivity,
+                   DensityRate>{},
+        generic);
+  visit(OwnLengths<PressureDensitySquared, PressureWork, BalsaraViscosity, BalsaraHeating,
+                   Conductivity, DensityRate>{},
+        generic);
   visit(TermList<Concentration>{}, generic);
   visit(TermList<Collision>{}, generic);
 }

@@ -7,13 +7,12 @@ namespace plenum {
 
 namespace {
 
-template <int Dim, class... Terms>
-PairPass<Dim> makePass(PassChoice choice, TermList<Terms...> list, const Units& units,
-                       Group receivers, Group sources) {
+template <int Dim, template <class...> class List, class... Terms>
+PairPass<Dim> makePass(PassChoice choice, List<Terms...> list, const Units& units, Group receivers,
+                       Group sources) {
   choice.smoothingLength /= units.length;
-  ((static_cast<Terms&>(choice.terms) = inUnits(static_cast<const Terms&>(choice.terms), units)),
-   ...);
-  choice.termList = indexOf<TermList<Terms...>>();
+  ((std::get<Terms>(choice.terms) = inUnits(std::get<Terms>(choice.terms), units)), ...);
+  choice.termList = indexOf<List<Terms...>>();
   PairPass<Dim> pass;
   pass.reads = list.reads;
   pass.writes = list.writes;
@@ -40,6 +39,8 @@ class PassMaker {
   }
 
   PairPass<Dim> density() const {
+    if (settings_.hasOwnLengths())
+      return make(OwnLengths<term::DensitySum, term::OmegaDensity>{}, Group::fluids);
     const Group receivers =
         options_.hasWalls && settings_.wallsEvolve() ? Group::all : Group::fluids;
     if (settings_.sumsDensity()) return make(TermList<term::DensitySum>{}, receivers);
@@ -59,7 +60,16 @@ class PassMaker {
     return make(TermList<term::DensityGradient>{}, diffusing(), diffusing());
   }
 
+  PairPass<Dim> densityMoment() const {
+    return make(OwnLengths<term::DensityMoment>{}, Group::fluids);
+  }
+
+  PairPass<Dim> convergence() const {
+    return make(OwnLengths<term::DensityRate, term::VelocityCurl>{}, Group::fluids);
+  }
+
   PairPass<Dim> forces() const {
+    if (settings_.hasOwnLengths()) return loaded(forcesInGas());
     return momentumForm(settings_) == "density_squared"
                ? forces(TermList<term::PressureDensitySquared>{})
                : forces(TermList<term::PressureDensityProduct>{});
@@ -94,10 +104,13 @@ class PassMaker {
 
   void setTerms() {
     const double c = phases_.largestSoundSpeed();
-    if (const MonaghanSettings* monaghan = settings_.monaghan()) {
-      set<term::MonaghanViscosity>({monaghan->alpha, monaghan->beta, c});
-      set<term::MonaghanViscosityOfPhases>({monaghan->alpha, monaghan->beta});
-    }
+    const term::MonaghanParameters monaghan = artificialViscosity();
+    set<term::MonaghanViscosity>({monaghan, c});
+    set<term::MonaghanViscosityOfPhases>({monaghan});
+    set<term::ViscousHeating>({{monaghan}});
+    set<term::BalsaraViscosity>({{monaghan}});
+    set<term::BalsaraHeating>({{{monaghan}}});
+    if (settings_.conductivity) set<term::Conductivity>({settings_.conductivity->alpha});
     if (settings_.laminar()) set<term::LaminarViscosity>({phases_[0].dynamicViscosity, Dim});
     if (settings_.densityDiffusion)
       set<term::DensityDiffusion>({settings_.densityDiffusion->delta, c});
@@ -107,9 +120,15 @@ class PassMaker {
     set<term::Concentration>({kernelAt(options_.spacing), Dim});
   }
 
+  term::MonaghanParameters artificialViscosity() const {
+    if (const TensorSettings* t = settings_.tensor()) return {t->alpha1, t->alpha2, t->beta};
+    if (const MonaghanSettings* m = settings_.monaghan()) return {m->alpha, m->beta};
+    return {};
+  }
+
   template <class Term>
   void set(const Term& term) {
-    static_cast<Term&>(choice_.terms) = term;
+    std::get<Term>(choice_.terms) = term;
   }
 
   double kernelAt(double distance) const {
@@ -120,10 +139,30 @@ class PassMaker {
     return value;
   }
 
+  /// Whatever a gas models: what it does not has no weight. The lean list is the usual case.
+  PairPass<Dim> forcesInGas() const {
+    using namespace term;
+    const auto pass = [&](auto list) { return make(list, Group::fluids); };
+    const bool hasGradH = settings_.adaptive && settings_.adaptive->form == "grad_h";
+    if (!settings_.isIdealGas())
+      return hasGradH ? pass(OwnLengths<PressureGradH, MonaghanViscosityOfPhases, DensityRate>{})
+                      : pass(OwnLengths<PressureDensitySquared, MonaghanViscosityOfPhases,
+                                        DensityRate>{});
+    if (!hasGradH)
+      return pass(OwnLengths<PressureDensitySquared, PressureWork, BalsaraViscosity, BalsaraHeating,
+                             Conductivity, DensityRate>{});
+    if (settings_.usesBalsara() || settings_.conductivity)
+      return pass(OwnLengths<PressureGradH, PressureWorkGradH, BalsaraViscosity, BalsaraHeating,
+                             Conductivity, DensityRate>{});
+    return pass(OwnLengths<PressureGradH, PressureWorkGradH, MonaghanViscosityOfPhases,
+                           ViscousHeating, DensityRate>{});
+  }
+
   template <class Pressure>
   PairPass<Dim> forces(TermList<Pressure>) const {
     using namespace term;
-    const bool artificial = settings_.monaghan() != nullptr, laminar = settings_.laminar();
+    const bool artificial = settings_.monaghan() != nullptr || settings_.tensor() != nullptr;
+    const bool laminar = settings_.laminar() != nullptr;
     const auto pass = [&](auto list) { return loaded(make(list, Group::fluids)); };
     if (laminar && (artificial || phases_.differInViscosity()))
       return pass(TermList<Pressure, MonaghanViscosityOfPhases, LaminarViscosityOfPhases>{});
@@ -139,8 +178,8 @@ class PassMaker {
     return pass;
   }
 
-  template <class... Terms>
-  PairPass<Dim> make(TermList<Terms...> list, Group receivers, Group sources = Group::all) const {
+  template <class List>
+  PairPass<Dim> make(List list, Group receivers, Group sources = Group::all) const {
     return makePass<Dim>(choice_, list, units_, receivers, sources);
   }
 
@@ -168,6 +207,10 @@ StepPasses<Dim> selectPasses(const SolverSettings& settings, const Phases& phase
   if (make.diffusionLeavesWallsOut()) passes.densityAtWalls = make.densityAtWalls();
   if (options.hasWalls && (settings.wallsExtrapolate() || settings.laminar()))
     passes.atWalls = make.atWalls();
+  if (settings.adaptive && settings.adaptive->form == "mean_density")
+    passes.densityMoment = make.densityMoment();
+  if (settings.usesBalsara() || settings.bulk() || settings.neumannRichtmyer())
+    passes.convergence = make.convergence();
   passes.forces = make.forces();
   if (settings.collisions) passes.collisions = make.collisions();
   if (settings.shifting) passes.concentration = make.concentration();

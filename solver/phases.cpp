@@ -8,8 +8,10 @@ namespace plenum {
 namespace {
 
 Tait stateOf(double density, const Material& material, const SolverSettings& s) {
-  return {density, material.soundSpeed.value_or(s.soundSpeed),
-          material.backgroundPressure.value_or(s.backgroundPressure),
+  const double c = material.soundSpeed.value_or(s.soundSpeed);
+  if (s.equationOfState == "isothermal")  // p = c^2 rho is Tait's with these
+    return {.referenceDensity = density, .soundSpeed = c, .backgroundPressure = density * c * c};
+  return {density, c, material.backgroundPressure.value_or(s.backgroundPressure),
           material.taitExponent.value_or(s.taitExponent),
           material.cavitationPressure.value_or(
               s.cavitationPressure.value_or(Tait{}.cavitationPressure))};

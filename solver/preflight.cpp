@@ -4,6 +4,7 @@
 #include "engine/engine.hpp"
 #include "particles/errors.hpp"
 #include "solver/phases.hpp"
+#include "solver/preflight_gas.hpp"
 
 #include <fmt/format.h>
 
@@ -58,8 +59,8 @@ void checkSmoothingLengths(const ParticleSet<Dim>& particles) {
   if (most - least <= roundOff * most) return;
   throw InputError(fmt::format(
       "the particles' smoothing lengths reach from {:g} to {:g} m, because their spacing varies, "
-      "and the solver has one for all of them; make the set without [[refine]], equal_mass_with "
-      "and particles = \"equal_mass\", or take it to a code with adaptive smoothing lengths",
+      "and this run has one for all of them; set solver.adaptive, or make the set without "
+      "[[refine]], equal_mass_with and particles = \"equal_mass\"",
       least, most));
 }
 
@@ -95,7 +96,7 @@ void checkPhysics(const SceneInfo<Dim>& info, const SolverSettings& settings) {
   const bool manyDensities = std::ranges::any_of(materials, [&](const Material& material) {
     return material.density != materials.front().density;
   });
-  if (manyDensities)
+  if (manyDensities && settings.equationOfState == "tait")
     for (const Material& material : materials)
       if (!material.soundSpeed)
         throw InputError(fmt::format(
@@ -145,6 +146,7 @@ void checkPhysics(const SceneInfo<Dim>& info, const SolverSettings& settings) {
 template <int Dim>
 void checkTimeStep(const SceneInfo<Dim>& info, const SolverSettings& settings) {
   if (!settings.timeStep) return;
+  if (settings.isIdealGas()) return;  // its speed of sound changes
   const Phases phases(info.materials, settings);
   const double h = settings.smoothingLength * info.spacing;
   const double nu = phases.largestKinematicViscosity();
@@ -165,7 +167,8 @@ void checkBeforeRun(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particle
   if (particles.nFluid() == 0) throw InputError("the particle file has no fluid particle");
   checkFields(particles);
   checkValues(particles, 2 * settings.smoothingLength * info.spacing);
-  checkSmoothingLengths(particles);
+  if (!settings.adaptive) checkSmoothingLengths(particles);
+  checkGas(info, particles, settings);
   checkCoverage(info, settings);
   checkPhysics(info, settings);
   checkTimeStep(info, settings);

@@ -181,7 +181,8 @@ template <int Dim>
 RunResult runScene(Scene<Dim> scene, const CaseSettings& settings, const RunOptions& options) {
   const SolverSettings solver = settings.solverOrDefaults();
   checkTimes(settings, scene.info.time, solver.smoothingLength * scene.info.spacing,
-             Phases(scene.info.materials, solver).largestSoundSpeed());
+             largestSignalSpeed(scene.particles, solver,
+                                Phases(scene.info.materials, solver).largestSoundSpeed()));
   return Run<Dim>(std::move(scene), settings, options)();
 }
 

@@ -14,6 +14,7 @@ typename Engine<Dim>::Options engineOptions(const Scene<Dim>& scene, const Solve
   options.wallsReceive =
       scene.particles.nWalls() > 0 && (s.wallsEvolve() || s.wallsExtrapolate() || s.laminar() ||
                                        s.densityDiffusion || measuresLoads);
+  options.adaptive = s.hasOwnLengths();
   options.precision = s.precision == "double" ? Precision::doubled : Precision::mixed;
   options.units =
       Units::near(s.smoothingLength * info.spacing, scene.particles[field::mass][0], soundSpeed);
@@ -38,6 +39,12 @@ FieldSet fieldsOf(const Scene<Dim>& scene, const SolverSettings& settings,
   if (scene.info.materials.size() > 1) needed |= {field::material};
   if (settings.kicksTwice()) needed |= {field::acceleration};
   if (settings.laminar() && scene.particles.nWalls() > 0) needed |= {field::slipVelocity};
+  if (settings.hasOwnLengths())
+    needed |=
+        {field::smoothingLength, field::omegaDensity, field::velocityDivergence, field::soundSpeed};
+  if (settings.isIdealGas()) needed |= {field::internalEnergy};
+  if (settings.isIdealGas() && settings.kicksTwice()) needed |= {field::internalEnergyRate};
+  if (settings.bulk() || settings.neumannRichtmyer()) needed |= {field::viscousPressure};
   for (const PairPass<Dim>* pass : passes.all())
     if (*pass) needed |= storedFor(pass->reads);
   return needed;

@@ -35,8 +35,11 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings, bo
       measuresLoads_(measuresLoads && scene.particles.nWalls() > 0),
       scene_(std::move(checked(scene, settings))),
       phases_(scene_.info.materials, settings),
-      engine_(scene_.info.domain,
-              engineOptions(scene_, settings, phases_.largestSoundSpeed(), measuresLoads_)),
+      gas_(settings.hasOwnLengths() ? std::optional<Gas<Dim>>(settings) : std::nullopt),
+      engine_(scene_.info.domain, engineOptions(scene_, settings,
+                                                largestSignalSpeed(scene_.particles, settings,
+                                                                   phases_.largestSoundSpeed()),
+                                                measuresLoads_)),
       passes_(selectPasses<Dim>(
           settings, phases_, {scene_.info.spacing, scene_.particles.nWalls() > 0, measuresLoads_},
           engine_.units())),
@@ -48,9 +51,12 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings, bo
   scene_.info.kernel = settings_.kernel;
   scene_.info.smoothingLength = smoothingLength();
   isContinued_ = !scene_.info.progress.empty();
-  const bool hasAcceleration = scene_.particles.has(field::acceleration);
+  const bool hasAcceleration =
+      scene_.particles.has(field::acceleration) &&
+      (!settings_.isIdealGas() || scene_.particles.has(field::internalEnergyRate));
   keepFields(scene_, fieldsOf(scene_, settings_, passes_, wallMotion_.anyMoves()));
   setConstants(scene_, settings_, phases_);
+  if (gas_) gas_->setWallConstants(scene_.particles);
   if (isContinued_ && (hasAcceleration || !settings_.kicksTwice()))
     goOn();
   else
@@ -62,15 +68,17 @@ template <int Dim>
 void Simulation<Dim>::begin() {
   isContinued_ = false;
   scene_.info.progress.clear();
+  if (gas_) gas_->setLengths(scene_.particles, smoothingLength());
   record_.runStart = time();
   record_.largestAcceleration = norm(gravity_);
   record_.fastest = largestFluidSpeed();
   engine_.update(scene_.particles);
+  if (gas_) gas_->lengths().begin(engine_, passes_, scene_.particles);
   if (settings_.sumsDensity()) updateDensity(0);  // the first state shown is the run's own
   updatePressure(time());
-  if (!settings_.kicksTwice()) return;
+  if (!settings_.kicksTwice() && !gas_) return;
   sumForces(time());
-  storeAcceleration();
+  if (settings_.kicksTwice()) storeAcceleration();
 }
 
 /// The state in which a run stopped.
@@ -131,10 +139,12 @@ void Simulation<Dim>::stepKickDriftKick(double dt) {
     driftParticles(dt / 2);
   }
   moveWalls(time() + dt);
+  if (gas_) predictByAcceleration(dt / 2);
   engine_.update(scene_.particles);
   if (settings_.sumsDensity()) updateDensity(dt);
   updatePressure(time() + dt);
   sumForces(time() + dt);
+  if (gas_) predictByAcceleration(-dt / 2);
   storeAcceleration();
   kickByAcceleration(dt / 2);
   collide(time() + dt);
@@ -144,6 +154,10 @@ void Simulation<Dim>::stepKickDriftKick(double dt) {
 template <int Dim>
 void Simulation<Dim>::updateDensity(double dt) {
   ParticleSet<Dim>& particles = scene_.particles;
+  if (gas_) {
+    nDensitySums_ = gas_->lengths().update(engine_, passes_, particles);
+    return;
+  }
   if (passes_.densityGradient) updateDensityGradient(engine_, passes_.densityGradient, particles);
   const auto advance = [&] {
     const auto [change, bad] = advanceDensities(engine_, particles, dt, settings_.wallsEvolve());
@@ -161,6 +175,10 @@ void Simulation<Dim>::updateDensity(double dt) {
 template <int Dim>
 void Simulation<Dim>::updatePressure(double now) {
   ParticleSet<Dim>& particles = scene_.particles;
+  if (settings_.isIdealGas()) {
+    gas_->updatePressure(particles);
+    return gas_->updateViscosity(engine_, passes_, particles);
+  }
   {
     const auto integrating = engine_.stopwatch().lap(Part::integrate);
     const std::size_t nFluid = particles.nFluid();
@@ -178,6 +196,7 @@ void Simulation<Dim>::updatePressure(double now) {
     wallMotion_.towardsSurface(now, particles, towardsSurface_);
   }
   wallState_.update(engine_, passes_.atWalls, particles, {wallAccelerations_, towardsSurface_});
+  if (gas_) gas_->updateViscosity(engine_, passes_, particles);
 }
 
 /// Sums the forces at the present positions, those of the time `now` [s]. Walls that fluid sticks
@@ -193,13 +212,14 @@ void Simulation<Dim>::sumForces(double now) {
   swapSlip();
   engine_.run(passes_.forces, particles);
   swapSlip();
+  if (gas_) record_.largestRate = gas_->takeRates(engine_, particles);
   if (measuresLoads_) wallLoads_.setForces(engine_, particles, wallMotion_.centers(now));
 }
 
 template <int Dim>
 void Simulation<Dim>::fail(const std::string& what, std::size_t i) const {
   const ParticleSet<Dim>& particles = scene_.particles;
-  double shorter = 0.05 * smoothingLength() / phases_.largestSoundSpeed();
+  double shorter = 0.05 * smoothingLength() / largestSoundSpeed();
   if (lastStep_ > 0) shorter = std::min(shorter, 0.25 * lastStep_);
   throw RunError(fmt::format(
       "particle {} at ({:.4g}): {} at t = {:.6g} s, step {}: likely a time step that is too large, "
@@ -214,6 +234,12 @@ void Simulation<Dim>::kickByForces(double dt) {
   if (bad) fail("the force is not finite", *bad);
   record_.largestAcceleration = change / dt;
   wallLoads_.act(dt);
+  if (settings_.isIdealGas()) requireEnergy(heat(engine_, scene_.particles, dt));
+}
+
+template <int Dim>
+void Simulation<Dim>::requireEnergy(const Advanced& heated) const {
+  if (heated.bad) fail("its internal energy is no longer positive and finite", *heated.bad);
 }
 
 template <int Dim>
@@ -222,12 +248,20 @@ void Simulation<Dim>::storeAcceleration() {
   if (bad) fail("the force is not finite", *bad);
   record_.largestAcceleration =
       largestNorm<Dim>(std::as_const(scene_.particles)[field::acceleration]);
+  if (settings_.isIdealGas()) storeHeating(engine_, scene_.particles);
 }
 
 template <int Dim>
 void Simulation<Dim>::kickByAcceleration(double dt) {
-  kickByAccelerations(engine_, scene_.particles, dt);
+  predictByAcceleration(dt);
   wallLoads_.act(dt);
+}
+
+/// Velocities and energies after dt by the stored rates, as they would be for now.
+template <int Dim>
+void Simulation<Dim>::predictByAcceleration(double dt) {
+  kickByAccelerations(engine_, scene_.particles, dt);
+  if (settings_.isIdealGas()) requireEnergy(heatByRates(engine_, scene_.particles, dt));
 }
 
 template <int Dim>
@@ -244,6 +278,7 @@ void Simulation<Dim>::driftParticles(double dt) {
   record_.fastest = largestFluidSpeed();
   requireSpeedLimit();
   drift(engine_, scene_.info.domain, scene_.particles, dt, record_.fastest);
+  if (gas_) gas_->lengths().predict(engine_, scene_.particles, dt);
 }
 
 template <int Dim>
@@ -268,7 +303,7 @@ void Simulation<Dim>::shiftParticles(double dt) {
 template <int Dim>
 double Simulation<Dim>::maxTimeStep() const {
   const double h = smoothingLength(), step = longestTimeStep(settings_, phases_, h, record_);
-  if (!settings_.timeStep && isSenseless(step, phases_, h))
+  if (!settings_.timeStep && isSenseless(step, settings_, phases_, h))
     fail(fmt::format(
              "speeds up to {:g} m/s (its own) and accelerations up to {:g} m/s^2 make the cfl "
              "time step fall below a millionth of h/c",
@@ -287,11 +322,18 @@ std::size_t Simulation<Dim>::fastestParticle() const {
 
 template <int Dim>
 void Simulation<Dim>::requireSpeedLimit() const {
-  const double limit = settings_.speedLimit.value_or(5) * phases_.largestSoundSpeed();
+  if (settings_.isIdealGas() && !settings_.speedLimit) return;
+  const double limit = settings_.speedLimit.value_or(5) * largestSoundSpeed();
   if (record_.fastest <= limit) return;
   fail(fmt::format("its speed {:g} m/s is above solver.speed_limit = {:g} c", record_.fastest,
                    settings_.speedLimit.value_or(5)),
        fastestParticle());
+}
+
+template <int Dim>
+double Simulation<Dim>::largestSoundSpeed() const {
+  if (!settings_.isIdealGas()) return phases_.largestSoundSpeed();
+  return std::ranges::max(scene_.particles[field::soundSpeed].first(scene_.particles.nFluid()));
 }
 
 template <int Dim>

@@ -4,12 +4,16 @@
 #include "engine/engine.hpp"
 #include "particles/case_settings.hpp"
 #include "particles/scene.hpp"
+#include "solver/gas.hpp"
+#include "solver/integrate.hpp"
 #include "solver/pair_pass.hpp"
 #include "solver/phases.hpp"
 #include "solver/step_record.hpp"
 #include "solver/wall_loads.hpp"
 #include "solver/wall_motion.hpp"
 #include "solver/wall_state.hpp"
+
+#include <optional>
 
 namespace plenum {
 
@@ -28,7 +32,10 @@ class Simulation {
   /// Symplectic Euler, as the sources have it: density, pressure and forces at the old positions,
   /// then the velocities, then the positions. Kick-drift-kick: half of the kick, the positions, the
   /// density (by continuity from the middle of the way, Adami et al. 2012,
-  /// doi 10.1016/j.jcp.2012.05.005), pressure and forces at the new positions, the other half.
+  /// doi 10.1016/j.jcp.2012.05.005), pressure and forces at the new positions, the other half. The
+  /// forces of a gas see velocities and energies as predicted for the end of the step (Springel
+  /// 2005, doi 10.1111/j.1365-2966.2005.09655.x), without which heating by viscosity is of first
+  /// order only.
   ///
   /// Throws RunError if a force or velocity is not finite, a density not positive, a particle
   /// faster than the limit or the step longer than its own: the values that it found so are not
@@ -55,6 +62,10 @@ class Simulation {
   const Phases& phases() const { return phases_; }
   Vec<Dim> gravity() const { return gravity_; }
   double smoothingLength() const { return settings_.smoothingLength * scene_.info.spacing; }
+  /// Largest speed of sound in the fluids, in an ideal gas that of now [m/s].
+  double largestSoundSpeed() const;
+  /// How often the last step summed densities to find smoothing lengths.
+  int nDensitySums() const { return nDensitySums_; }
 
   /// The scene as it is now, for files. Positions and velocities are those at time(); with
   /// symplectic Euler, density and pressure those that moved them there, of the positions one step
@@ -102,6 +113,8 @@ class Simulation {
   void kickByForces(double dt);
   void storeAcceleration();
   void kickByAcceleration(double dt);
+  void predictByAcceleration(double dt);
+  void requireEnergy(const Advanced& heated) const;
   void collide(double now);
   void driftParticles(double dt);
   void moveWalls(double time);
@@ -115,6 +128,7 @@ class Simulation {
   bool measuresLoads_;
   Scene<Dim> scene_;
   Phases phases_;
+  std::optional<Gas<Dim>> gas_;  // absent where all have one smoothing length and no energy
   Engine<Dim> engine_;
   StepPasses<Dim> passes_;
   MaterialTable states_;  // of the fluids
@@ -126,6 +140,7 @@ class Simulation {
   WallLoads<Dim> wallLoads_;
   StepRecord record_;
   double lastStep_ = 0;  // [s]; 0 before the first
+  int nDensitySums_ = 1;
   bool isContinued_ = false;
 };
 

@@ -52,9 +52,12 @@ std::vector<Figure> measureState(const Simulation<Dim>& simulation, const Observ
       {"max_speed", "m/s", maxSpeed(simulation.particles())},
       {"energy_kinetic", "J", c.kineticEnergy},
       {"energy_potential", "J", c.potentialEnergy},
-      {"energy_compression", "J", c.compressionEnergy},
-      {"energy_total", "J", c.energy()},
   };
+  if (simulation.settings().isIdealGas())
+    row.push_back({"energy_internal", "J", c.internalEnergy});
+  else
+    row.push_back({"energy_compression", "J", c.compressionEnergy});
+  row.push_back({"energy_total", "J", c.energy()});
   for (std::size_t a = 0; a < Dim; ++a)
     row.push_back({std::string("momentum_") + "xyz"[a], "kg m/s", c.momentum[a]});
   for (std::size_t a = 0; a < 3; ++a)

@@ -13,7 +13,8 @@ std::vector<std::pair<std::string, double>> StepRecord::progress() const {
   return {{"step", static_cast<double>(nSteps)},
           {"run_start", runStart},
           {"largest_acceleration", largestAcceleration},
-          {"fastest", fastest}};
+          {"fastest", fastest},
+          {"largest_rate", largestRate}};
 }
 
 void StepRecord::restore(const std::vector<std::pair<std::string, double>>& progress) {
@@ -31,6 +32,7 @@ void StepRecord::restore(const std::vector<std::pair<std::string, double>>& prog
   runStart = value("run_start");
   largestAcceleration = value("largest_acceleration");
   fastest = value("fastest");
+  largestRate = value("largest_rate");
 }
 
 }  // namespace plenum

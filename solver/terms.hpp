@@ -141,55 +141,60 @@ struct Concentration {
   }
 };
 
-/// What Monaghan's viscosities share: m_i dv_i/dt = -sum_j m_i m_j Pi_ij grad_i W_ij   [N], for
-/// approaching particles Pi_ij = (-alpha c mu + beta mu^2)/rho_mean,
-/// mu = h v_ij.r_ij/(r^2 + 0.01 h^2). Monaghan 1992, doi 10.1146/annurev.aa.30.090192.002551; [C]
-/// has beta = 0. Here with m_i m_j/rho_mean = 2 V_i V_j/(1/rho_i + 1/rho_j). `alphaC` is alpha c of
-/// the pair.
-template <class Real, int Dim>
-[[gnu::always_inline]] inline void addMonaghan(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i,
-                                               Real alphaC, double beta) {
-  const Real softened = ij.distanceSquared + Real(0.01) * ij.h * ij.h;
-  const Real specificVolumes = ij.i.specificVolume + ij.j.specificVolume;
-  const Real muPerVolume = ij.h * negativePart(ij.velocityDotR) / (softened * specificVolumes);
-  const Real mu = muPerVolume * specificVolumes;
-  i.force -= ij.i.volume * ij.j.volume * (muPerVolume * (Real(2 * beta) * mu - Real(2) * alphaC)) *
-             ij.gradW();
-}
-
-/// Monaghan's viscosity where all have the same speed of sound.
-struct MonaghanViscosity {
+/// What Monaghan's viscosities share: m_i m_j Pi_ij   [kg m^(d+2) s^-2], for approaching particles
+/// Pi_ij = (-alpha c mu + beta mu^2)/rho_mean, mu = h v_ij.r_ij/(r^2 + softening h^2). Monaghan
+/// 1992, doi 10.1146/annurev.aa.30.090192.002551, with a softening of 0.01; [C] has beta = 0. Here
+/// with m_i m_j/rho_mean = 2 V_i V_j/(1/rho_i + 1/rho_j). `alphaC` is alpha c of the pair.
+struct MonaghanParameters {
   static constexpr FieldSet reads{field::volume, field::specificVolume, field::velocity};
-  static constexpr FieldSet writes{field::force};
-  static constexpr bool usesKernel = true;
 
   double alpha = 0;
   double beta = 0;
-  double soundSpeed = 0;  ///< [m/s]
-
-  MonaghanViscosity inUnits(const Units& units) const {
-    return {alpha, beta, soundSpeed / units.speed()};
-  }
+  double softening = 0.01;
 
   template <class Real, int Dim>
-  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
-    addMonaghan(ij, i, Real(alpha * soundSpeed), beta);
+  [[gnu::always_inline]] Real massesTimesPi(const Pair<Real, Dim>& ij, Real alphaC) const {
+    const Real softened = ij.distanceSquared + Real(softening) * ij.h * ij.h;
+    const Real specificVolumes = ij.i.specificVolume + ij.j.specificVolume;
+    const Real muPerVolume = ij.h * negativePart(ij.velocityDotR) / (softened * specificVolumes);
+    const Real mu = muPerVolume * specificVolumes;
+    return ij.i.volume * ij.j.volume * (muPerVolume * (Real(2 * beta) * mu - Real(2) * alphaC));
   }
 };
 
-/// Monaghan's viscosity with the mean of the two speeds of sound.
-struct MonaghanViscosityOfPhases {
-  static constexpr FieldSet reads{field::volume, field::specificVolume, field::velocity,
-                                  field::soundSpeed};
+/// m_i dv_i/dt = -sum_j m_i m_j Pi_ij grad_i W_ij   [N], where all have the same speed of sound.
+struct MonaghanViscosity : MonaghanParameters {
+  static constexpr FieldSet reads = MonaghanParameters::reads;
   static constexpr FieldSet writes{field::force};
   static constexpr bool usesKernel = true;
 
-  double alpha = 0;
-  double beta = 0;
+  double soundSpeed = 0;  ///< [m/s]
+
+  MonaghanViscosity inUnits(const Units& units) const {
+    MonaghanViscosity scaled = *this;
+    scaled.soundSpeed = soundSpeed / units.speed();
+    return scaled;
+  }
 
   template <class Real, int Dim>
   [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
-    addMonaghan(ij, i, Real(0.5 * alpha) * (ij.i.soundSpeed + ij.j.soundSpeed), beta);
+    i.force -= massesTimesPi(ij, Real(alpha * soundSpeed)) * ij.gradW();
+  }
+};
+
+/// The same with the mean of the two speeds of sound.
+struct MonaghanViscosityOfPhases : MonaghanParameters {
+  static constexpr FieldSet reads = MonaghanParameters::reads | FieldSet{field::soundSpeed};
+  static constexpr FieldSet writes{field::force};
+  static constexpr bool usesKernel = true;
+
+  template <class Real, int Dim>
+  [[gnu::always_inline]] Real weight(const Pair<Real, Dim>& ij) const {
+    return massesTimesPi(ij, Real(0.5 * alpha) * (ij.i.soundSpeed + ij.j.soundSpeed));
+  }
+  template <class Real, int Dim>
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
+    i.force -= weight(ij) * ij.gradW();
   }
 };
 
