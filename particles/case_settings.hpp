@@ -46,10 +46,10 @@ struct LaminarSettings {
 
 struct ViscositySettings {
   std::optional<MonaghanSettings> monaghan = {};
+  std::optional<LaminarSettings> laminar = {};
   std::optional<TensorSettings> tensor = {};
   std::optional<ViscousPressureSettings> bulk = {};
   std::optional<ViscousPressureSettings> neumannRichtmyer = {};
-  std::optional<LaminarSettings> laminar = {};
 };
 
 /// A smoothing length for each particle, that follows its density.

@@ -125,7 +125,7 @@ double Gas<Dim>::takeRates(Engine<Dim>& engine, ParticleSet<Dim>& particles) con
 template <int Dim>
 double largestSignalSpeed(const ParticleSet<Dim>& particles, const SolverSettings& settings,
                           double soundSpeed) {
-  if (!settings.isIdealGas()) return soundSpeed;
+  if (!settings.isIdealGas() || !particles.has(field::internalEnergy)) return soundSpeed;
   const double gamma = settings.adiabaticIndex;
   double squared = 0;
   for (std::size_t i = 0; i < particles.nFluid(); ++i)

@@ -70,6 +70,10 @@ ParticleView<long double, Dim> viewOf(const ParticleSet<Dim>& particles, std::si
   if (particles.has(field::dynamicViscosity))
     view.dynamicViscosity = particles[field::dynamicViscosity][i];
   if (particles.has(field::soundSpeed)) view.soundSpeed = particles[field::soundSpeed][i];
+  if (particles.has(field::internalEnergy))
+    view.internalEnergy = particles[field::internalEnergy][i];
+  if (particles.has(field::viscosityLimiter))
+    view.viscosityLimiter = particles[field::viscosityLimiter][i];
   if (particles.has(field::densityGradient))
     view.densityGradient = toLong(particles[field::densityGradient][i]);
   return view;

@@ -30,12 +30,16 @@ PassChoice choiceOf(const std::string& kernel, int termList) {
   choice.kernel = KernelId::named(kernel).index();
   choice.termList = termList;
   choice.smoothingLength = 0.15;
-  static_cast<term::MonaghanViscosity&>(choice.terms) = {0.8, 1.5, 10};
-  static_cast<term::MonaghanViscosityOfPhases&>(choice.terms) = {0.8, 1.5};
-  static_cast<term::LaminarViscosity&>(choice.terms) = {0.3, 3};
-  static_cast<term::DensityDiffusion&>(choice.terms) = {0.1, 10};
-  static_cast<term::Concentration&>(choice.terms) = {20, 3};
-  static_cast<term::Collision&>(choice.terms) = {0.3, 0.08};
+  std::get<term::MonaghanViscosity>(choice.terms) = {{0.8, 1.5, 0.01}, 10};
+  std::get<term::MonaghanViscosityOfPhases>(choice.terms) = {{0.8, 1.5, 0.1}};
+  std::get<term::ViscousHeating>(choice.terms) = {{{0.8, 1.5, 0.1}}};
+  std::get<term::BalsaraViscosity>(choice.terms) = {{{0.8, 1.5, 0.1}}};
+  std::get<term::BalsaraHeating>(choice.terms) = {{{{0.8, 1.5, 0.1}}}};
+  std::get<term::Conductivity>(choice.terms) = {0.7};
+  std::get<term::LaminarViscosity>(choice.terms) = {0.3, 3};
+  std::get<term::DensityDiffusion>(choice.terms) = {0.1, 10};
+  std::get<term::Concentration>(choice.terms) = {20, 3};
+  std::get<term::Collision>(choice.terms) = {0.3, 0.08};
   return choice;
 }
 
@@ -51,7 +55,10 @@ void addMissing(ParticleSet<Dim>& particles, FieldSet fields) {
     using Value = typename decltype(values)::value_type;
     for (Value& value : values) {
       if constexpr (std::is_same_v<Value, double>)
-        value = (info.id == FieldId::soundSpeed ? 10 : 1) * uniform(generator);
+        value = (info.id == FieldId::soundSpeed        ? 10
+                 : info.id == FieldId::smoothingLength ? 0.1
+                                                       : 1) *
+                uniform(generator);
       else if constexpr (std::is_same_v<Value, Vec<Dim>>)
         for (int a = 0; a < Dim; ++a) value[a] = uniform(generator) - 1;
     }
@@ -72,7 +79,9 @@ double deviationOf(InstructionSet set, Precision precision, const PassChoice& ch
   const Box<Dim> box = test::unitBox<Dim>(true);
   auto particles = test::randomParticles<Dim>(box, 250, 60);
   addMissing(particles, storedFor(list.reads));
-  Engine<Dim> engine(box, {2 * choice.smoothingLength, 0.2, true, precision});
+  typename Engine<Dim>::Options options{2 * choice.smoothingLength, 0.2, true, precision};
+  options.adaptive = list.reads.has(field::smoothingLength);
+  Engine<Dim> engine(box, options);
   engine.update(particles);
   PairPass<Dim> pass;
   pass.reads = list.reads;
@@ -84,10 +93,11 @@ double deviationOf(InstructionSet set, Precision precision, const PassChoice& ch
     pass.inDouble = tileFunction<decltype(isa), double, Dim>(choice);
   });
   engine.run(pass, particles);
-  const auto compare = [&]<class... Terms>(TermList<Terms...>) {
-    const Pass<kernel::Any, Terms...> reference{{KernelId(choice.kernel)},
-                                                choice.smoothingLength,
-                                                {static_cast<const Terms&>(choice.terms)...}};
+  const auto compare = [&]<template <class...> class L, class... Terms>(L<Terms...>) {
+    using Profile = typename L<Terms...>::template ProfileOf<kernel::Any>;
+    const Pass<Profile, Terms...> reference{profileOf<Profile>(choice.kernel),
+                                            choice.smoothingLength,
+                                            {std::get<Terms>(choice.terms)...}};
     return test::worstDeviation(
         engine, list.writes, particles,
         test::sumOfAllPairs<Dim>(reference, particles, box, Group::all, Group::all), Group::all);

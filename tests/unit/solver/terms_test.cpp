@@ -3,77 +3,17 @@
 // Each term against the formula of its source, written out by hand for one pair.
 #include "solver/terms.hpp"
 
-#include "engine/instruction_set.hpp"
-#include "engine/pack.hpp"
-#include "particles/kernels.hpp"
+#include "tests/unit/solver/lanes.hpp"
+#include "tests/unit/solver/two_particles.hpp"
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <utility>
 
 namespace plenum {
 namespace {
 
-using K = Kernel<2, kernel::CubicSpline>;
-constexpr double h = 0.3;
-constexpr double ulp = 1e-15;  // relative: a few roundings
-
-ParticleView<double, 2> particle(double mass, double density, double pressure,
-                                 const Vec<2>& velocity) {
-  return {velocity,    mass,
-          density,     pressure,
-          h,           mass / density,
-          1 / density, pressure / (density * density),
-          0,           0,
-          {}};
-}
-
-/// Two particles and what the loop computes for them.
-struct Two {
-  ParticleView<double, 2> i = particle(2.0, 1.1, 5.0, {{1.0, 0.5}});
-  ParticleView<double, 2> j = particle(3.0, 0.9, -2.0, {{-1.0, 0.25}});
-  Vec<2> r{{-0.2, 0.1}};
-
-  double W() const { return K::W(norm(r), h); }
-  double F() const { return K::F(norm(r), h); }
-  double velocityDotR() const { return dot(i.velocity - j.velocity, r); }
-  Pair<double, 2> pair() const {
-    return {i, j, r, normSquared(r), velocityDotR(), h, W(), F(), {W(), F()}, {W(), F()}};
-  }
-};
-
-Two approaching() { return {}; }
-
-Two receding() {
-  Two two;
-  std::swap(two.i.velocity, two.j.velocity);
-  return two;
-}
-
-template <class Term>
-Sums<double, 2> sumsOf(const Term& term, const Two& two) {
-  Sums<double, 2> sums;
-  term(two.pair(), sums);
-  return sums;
-}
-
-template <class Term>
-Exchange<double, 2> exchangeOf(const Term& term, const Two& two) {
-  Exchange<double, 2> exchange;
-  term(two.pair(), exchange);
-  return exchange;
-}
-
-/// What particle i gets a unit of mass.
-template <class Term>
-Vec<2> accelerationOf(const Term& term, const Two& two) {
-  return 1 / two.i.mass * exchangeOf(term, two).force.total(two.F() * two.r);
-}
-
-Vec<2> velocityChangeOf(const term::Collision& collision, const Two& two) {
-  return 1 / two.i.mass * exchangeOf(collision, two).impulse.total(two.F() * two.r);
-}
+using namespace test;
 
 TEST(Terms, DensitySum) {
   const Two two = approaching();
@@ -88,7 +28,7 @@ TEST(Terms, AParticleAddsItsOwnMassToItsDensityAndNothingElse) {
   EXPECT_EQ(sumsOf(term::Continuity{}, self).velocityDivergence, 0);
   EXPECT_EQ(norm(accelerationOf(term::PressureDensitySquared{}, self)), 0);
   EXPECT_EQ(norm(accelerationOf(term::PressureDensityProduct{}, self)), 0);
-  EXPECT_EQ(norm(accelerationOf(term::MonaghanViscosity{0.8, 1.5, 10}, self)), 0);
+  EXPECT_EQ(norm(accelerationOf(term::MonaghanViscosity{{0.8, 1.5}, 10}, self)), 0);
   EXPECT_EQ(norm(velocityChangeOf(term::Collision{0.5, 0.5}, self)), 0);
 }
 
@@ -116,7 +56,7 @@ TEST(Terms, PressureForms) {
 
 TEST(Terms, MonaghanViscosityActsOnApproachingPairsOnly) {
   const Two two = approaching();
-  const term::MonaghanViscosity viscosity{0.8, 1.5, 10};
+  const term::MonaghanViscosity viscosity{{0.8, 1.5}, 10};
   const double mu = h * (2.0 * -0.2 + 0.25 * 0.1) / (0.05 + 0.01 * h * h);
   const double Pi = (-0.8 * 10 * mu + 1.5 * mu * mu) / 1.0;
   const Vec<2> acceleration = accelerationOf(viscosity, two);
@@ -131,8 +71,8 @@ TEST(Terms, MonaghanViscosityOfPhasesHasTheMeanOfTheSpeedsOfSound) {
   Two two = approaching();
   two.i.soundSpeed = 4;
   two.j.soundSpeed = 16;
-  const Vec<2> mean = accelerationOf(term::MonaghanViscosity{0.8, 1.5, 10}, two);
-  const Vec<2> acceleration = accelerationOf(term::MonaghanViscosityOfPhases{0.8, 1.5}, two);
+  const Vec<2> mean = accelerationOf(term::MonaghanViscosity{{0.8, 1.5}, 10}, two);
+  const Vec<2> acceleration = accelerationOf(term::MonaghanViscosityOfPhases{{0.8, 1.5}}, two);
   for (int a = 0; a < 2; ++a) EXPECT_DOUBLE_EQ(acceleration[a], mean[a]);
 }
 
@@ -250,119 +190,13 @@ TEST(Terms, NoCollisionOfRecedingOrDistantPairs) {
   EXPECT_EQ(normSquared(velocityChangeOf(term::Collision{0.5, 0.1}, approaching())), 0);
 }
 
-/// Of a number: `relative` times its size and that of summands which may cancel in it.
-struct Tolerance {
-  double relative = 0;
-  double summands = 0;
-
-  double of(double value) const { return relative * (std::abs(value) + summands); }
-};
-
-/// A pack of pairs gives in each lane what the pair of that lane gives.
-template <class T, int N>
-class Lanes {
-  using P = Pack<T, N, isa::Baseline>;
-
- public:
-  template <class Term>
-  static void expectSame(const Term& term, const Tolerance& tolerance) {
-    std::mt19937_64 generator(3);
-    std::uniform_real_distribution<T> uniform(-1, 1);
-    const auto anyNumber = [&] { return uniform(generator); };
-    for (int trial = 0; trial < 100; ++trial) {
-      ParticleView<T, 3> is[N], js[N];
-      Vec<3, T> rs[N];
-      ParticleView<P, 3> i, j;
-      Vec<3, P> r;
-      T W[N], F[N];
-      P packW, packF;
-      for (int k = 0; k < N; ++k) {
-        for (auto* view : {&is[k], &js[k]}) {
-          ParticleView<T, 3>::forEachMember([&](auto tag, auto member) {
-            if constexpr (infoOf(tag).rank == Rank::vector)
-              for (int a = 0; a < 3; ++a) (view->*member)[a] = anyNumber();
-            else
-              view->*member = 2 + anyNumber();
-          });
-        }
-        for (int a = 0; a < 3; ++a) rs[k][a] = T(0.2) * anyNumber();
-        W[k] = 2 + anyNumber();
-        F[k] = anyNumber() - 2;
-        setLane(i, is[k], k);
-        setLane(j, js[k], k);
-        for (int a = 0; a < 3; ++a) r[a].raw[k] = rs[k][a];
-        packW.raw[k] = W[k];
-        packF.raw[k] = F[k];
-      }
-      const Pair<P, 3> packs{i,    j,     r,     normSquared(r), dot(i.velocity - j.velocity, r),
-                             P(h), packW, packF, {packW, packF}, {packW, packF}};
-      for (int k = 0; k < N; ++k) {
-        const Pair<T, 3> one{
-            is[k], js[k], rs[k], normSquared(rs[k]), dot(is[k].velocity - js[k].velocity, rs[k]),
-            T(h),  W[k],  F[k],  {W[k], F[k]},       {W[k], F[k]}};
-        if constexpr (Exchanges<Term, P, 3>)
-          compare<Exchange<P, 3>, Exchange<T, 3>>(term, packs, one, k, tolerance);
-        else
-          compare<Sums<P, 3>, Sums<T, 3>>(term, packs, one, k, tolerance);
-      }
-    }
-  }
-
- private:
-  template <class OfPacks, class OfOne, class Term>
-  static void compare(const Term& term, const Pair<P, 3>& packs, const Pair<T, 3>& one, int k,
-                      const Tolerance& tolerance) {
-    OfPacks sums;
-    OfOne expected;
-    term(packs, sums);
-    term(one, expected);
-    OfPacks::forEachMember([&](auto tag, auto member) {
-      OfOne::forEachMember([&](auto other, auto expectedMember) {
-        if constexpr (tag() == other())
-          expectSame(sums.*member, expected.*expectedMember, k, tolerance);
-      });
-    });
-  }
-  static void setLane(ParticleView<P, 3>& pack, const ParticleView<T, 3>& one, int k) {
-    ParticleView<P, 3>::forEachMember([&](auto tag, auto member) {
-      ParticleView<T, 3>::forEachMember([&](auto other, auto from) {
-        if constexpr (tag() != other())
-          return;
-        else if constexpr (infoOf(tag).rank == Rank::vector)
-          for (int a = 0; a < 3; ++a) (pack.*member)[a].raw[k] = (one.*from)[a];
-        else
-          (pack.*member).raw[k] = one.*from;
-      });
-    });
-  }
-  static void expectSame(const P& pack, T one, int k, const Tolerance& tolerance) {
-    EXPECT_NEAR(pack.raw[k], one, tolerance.of(one));
-  }
-  static void expectSame(const VectorSum<P, 3>& pack, const VectorSum<T, 3>& one, int k,
-                         const Tolerance& tolerance) {
-    expectSame(pack.alongGradW, one.alongGradW, k, tolerance);
-    for (int a = 0; a < 3; ++a) expectSame(pack.rest[a], one.rest[a], k, tolerance);
-  }
-};
-
-template <class Term>
-void expectLanesAreSingles(const Term& term, double summands = 0) {
-  // A dozen roundings of each, in another order: the loop's flags let the compiler choose it.
-  Lanes<double, 2>::expectSame(term, {2e-15, summands});
-  Lanes<double, 4>::expectSame(term, {2e-15, summands});
-  Lanes<double, 8>::expectSame(term, {2e-15, summands});
-  Lanes<float, 2>::expectSame(term, {2e-6, summands});
-  Lanes<float, 4>::expectSame(term, {2e-6, summands});
-  Lanes<float, 8>::expectSame(term, {2e-6, summands});
-}
-
 TEST(Terms, PacksOfPairsGiveWhatSinglePairsGive) {
   expectLanesAreSingles(term::DensitySum{});
   expectLanesAreSingles(term::Continuity{});
   expectLanesAreSingles(term::PressureDensitySquared{});
   expectLanesAreSingles(term::PressureDensityProduct{});
-  expectLanesAreSingles(term::MonaghanViscosity{0.8, 1.5, 10});
-  expectLanesAreSingles(term::MonaghanViscosityOfPhases{0.8, 1.5});
+  expectLanesAreSingles(term::MonaghanViscosity{{0.8, 1.5}, 10});
+  expectLanesAreSingles(term::MonaghanViscosityOfPhases{{0.8, 1.5}});
   expectLanesAreSingles(term::LaminarViscosity{0.3, 3});
   expectLanesAreSingles(term::LaminarViscosityOfPhases{});
   expectLanesAreSingles(term::DensityGradient{});
