@@ -37,8 +37,10 @@ void addLoads(std::vector<Figure>& row, const Simulation<Dim>& simulation) {
 
 template <int Dim>
 Observed<Dim> observed(const Simulation<Dim>& simulation) {
-  return {simulation.particles(), simulation.info(), KernelId::named(simulation.settings().kernel),
-          simulation.smoothingLength(), simulation.gravity()};
+  const SolverSettings& settings = simulation.settings();
+  return {
+      simulation.particles(),       simulation.info(),   settings, KernelId::named(settings.kernel),
+      simulation.smoothingLength(), simulation.gravity()};
 }
 
 template <int Dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "particles/case_settings.hpp"
 #include "particles/kernels.hpp"
 #include "particles/scene.hpp"
 
@@ -15,6 +16,7 @@ template <int Dim>
 struct Observed {
   const ParticleSet<Dim>& particles;
   const SceneInfo<Dim>& info;
+  const SolverSettings& settings;
   KernelId kernel;
   double smoothingLength = 0;  ///< h [m]
   Vec<Dim> gravity{};          ///< [m/s^2]

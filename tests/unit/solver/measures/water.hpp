@@ -69,8 +69,9 @@ Scene<Dim> stillWater(const Vec<Dim>& extent, double spacing, int layers = 0) {
 /// As a run with h = 1.5 d_ref and gravity against the last axis sees it.
 template <int Dim>
 Observed<Dim> observed(const Scene<Dim>& scene, const std::string& kernel = "wendland_c2") {
-  Observed<Dim> state{
-      scene.particles, scene.info, KernelId::named(kernel), 1.5 * scene.info.spacing, {}};
+  static const SolverSettings settings;
+  Observed<Dim> state{scene.particles,          scene.info, settings, KernelId::named(kernel),
+                      1.5 * scene.info.spacing, {}};
   state.gravity[Dim - 1] = -9.81;
   return state;
 }
