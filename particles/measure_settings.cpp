@@ -177,6 +177,11 @@ const Section<MeasureSettings>& measureSection() {
           .section("pressure_gradient", &S::pressureGradient, pressureGradientSection())
           .section("taylor_green", &S::taylorGreen, taylorGreenSection())
           .section("couette", &S::couette, couetteSection())
+          .section("riemann", &S::riemann, riemannSection())
+          .section("noh", &S::noh, nohSection())
+          .section("sedov", &S::sedov, sedovSection())
+          .section("gresho", &S::gresho, greshoSection())
+          .section("cloud", &S::cloud, cloudSection())
           .condition(requireDistinctNames);
   return section;
 }

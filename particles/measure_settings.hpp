@@ -4,6 +4,7 @@
 // each measure means is said in docs/measures.md.
 #pragma once
 
+#include "particles/gas_measure_settings.hpp"
 #include "particles/section.hpp"
 
 #include <optional>
@@ -72,6 +73,11 @@ struct MeasureSettings {
   std::optional<PressureGradientSettings> pressureGradient;
   std::optional<TaylorGreenSettings> taylorGreen;
   std::optional<CouetteSettings> couette;
+  std::optional<RiemannSettings> riemann;
+  std::optional<NohSettings> noh;
+  std::optional<SedovSettings> sedov;
+  std::optional<GreshoSettings> gresho;
+  std::optional<CloudSettings> cloud;
 };
 
 const Section<MeasureSettings>& measureSection();

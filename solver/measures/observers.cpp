@@ -31,6 +31,27 @@ Observers<Dim>::Observers(const MeasureSettings& settings, const Observed<Dim>& 
     pressureGradient_.emplace(*settings.pressureGradient, start, "measures.pressure_gradient");
   if (settings.taylorGreen) taylorGreen_.emplace(*settings.taylorGreen);
   if (settings.couette) couette_.emplace(*settings.couette);
+  addGasMeasures(settings, start);
+}
+
+template <int Dim>
+void Observers<Dim>::addGasMeasures(const MeasureSettings& settings, const Observed<Dim>& start) {
+  if (settings.riemann) riemann_.emplace(*settings.riemann, start, "measures.riemann");
+  if (settings.noh) noh_.emplace(*settings.noh, start, "measures.noh");
+  if (settings.sedov) sedov_.emplace(*settings.sedov, start, "measures.sedov");
+  if constexpr (Dim > 1)
+    if (settings.gresho) gresho_.emplace(*settings.gresho, start, "measures.gresho");
+  if (settings.cloud) cloud_.emplace(*settings.cloud, start, "measures.cloud");
+}
+
+template <int Dim>
+void Observers<Dim>::addGases(std::vector<Figure>& row, const Observed<Dim>& state) const {
+  if (riemann_) riemann_->addTo(row, state);
+  if (noh_) noh_->addTo(row, state);
+  if (sedov_) sedov_->addTo(row, state);
+  if constexpr (Dim > 1)
+    if (gresho_) gresho_->addTo(row, state);
+  if (cloud_) cloud_->addTo(row, state);
 }
 
 template <int Dim>
@@ -63,6 +84,7 @@ void Observers<Dim>::addTo(std::vector<Figure>& row, const Observed<Dim>& state)
     if (taylorGreen_) taylorGreen_->addTo(row, state);
     if (couette_) couette_->addTo(row, state);
   }
+  addGases(row, state);
 }
 
 template class Observers<1>;

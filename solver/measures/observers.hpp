@@ -3,10 +3,15 @@
 
 #include "particles/measure_settings.hpp"
 #include "solver/measures/box_volume.hpp"
+#include "solver/measures/cloud.hpp"
 #include "solver/measures/couette.hpp"
 #include "solver/measures/front.hpp"
+#include "solver/measures/gresho.hpp"
+#include "solver/measures/noh.hpp"
 #include "solver/measures/pressure_gradient.hpp"
 #include "solver/measures/probe.hpp"
+#include "solver/measures/sedov.hpp"
+#include "solver/measures/shock_tube.hpp"
 #include "solver/measures/taylor_green.hpp"
 #include "solver/measures/wave_gauge.hpp"
 
@@ -23,6 +28,8 @@ class Observers {
   void addTo(std::vector<Figure>& row, const Observed<Dim>& state) const;
 
  private:
+  void addGasMeasures(const MeasureSettings& settings, const Observed<Dim>& start);
+  void addGases(std::vector<Figure>& row, const Observed<Dim>& state) const;
   void addOrder(std::vector<Figure>& row, const Observed<Dim>& state) const;
 
   MeasureSettings settings_;
@@ -33,6 +40,11 @@ class Observers {
   std::optional<PressureGradient<Dim>> pressureGradient_;
   std::optional<TaylorGreen> taylorGreen_;  // in 2-D only
   std::optional<Couette> couette_;          // in 2-D only
+  std::optional<ShockTube<Dim>> riemann_;
+  std::optional<Noh<Dim>> noh_;
+  std::optional<Sedov<Dim>> sedov_;
+  std::optional<Gresho<Dim == 1 ? 2 : Dim>> gresho_;  // not in 1-D
+  std::optional<Cloud<Dim>> cloud_;
 };
 
 extern template class Observers<1>;
