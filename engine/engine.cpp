@@ -366,8 +366,9 @@ void Engine<Dim>::findNear(Numbers<T>& numbers) {
   const auto find = withInstructionSet(
       instructionSet(), [](auto isa) { return &findNearTiles<decltype(isa), T, Dim>; });
   // A little more: rounded distances decide here, and the kernel is zero beyond the support anyway.
-  const double radius =
-      (options_.adaptive ? 2 : options_.support / options_.units.length) * (1 + 1e-5);
+  const double radius = (options_.adaptive ? 2 * (1 + options_.lengthSkin)
+                                           : options_.support / options_.units.length) *
+                        (1 + 1e-5);
   const std::size_t nChunks = list_.chunks().size();
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t c = 0; c < nChunks; ++c) find(workOf(numbers, c), radius);

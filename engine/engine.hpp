@@ -93,6 +93,7 @@ class Engine {
     Precision precision = Precision::mixed;
     Units units = {};       ///< that passes were made for
     bool adaptive = false;  ///< supports are twice field::smoothingLength, not `support`
+    double lengthSkin = 0;  ///< part of itself by which a length may grow between two updates
   };
 
   /// Throws InputError if a periodic axis of `domain` is shorter than twice the support (adaptive
@@ -109,8 +110,10 @@ class Engine {
 
   /// To be called when particles have moved: no one further than `distance` [m].
   void moved(double distance) { travelled_ += distance; }
-  /// To be called when smoothing lengths have changed: none by a larger factor.
+  /// To be called when smoothing lengths have changed: none by a larger factor. Passes see no pair
+  /// too few if that is at most `Options::lengthSkin`, or after an update.
   void grew(double factor) { growth_ *= std::max(1.0, factor); }
+  double lengthSkin() const { return options_.lengthSkin; }
   /// Search anew at the next update.
   void forget() { travelled_ = std::numeric_limits<double>::infinity(); }
 

@@ -102,8 +102,9 @@ int SmoothingLengths<Dim>::updateFromOwnDensity(Engine<Dim>& engine, const StepP
     sumDensities(engine, passes.density, particles);
     const Correction correction = correct(particles);
     engine.grew(correction.growth);
-    engine.update(particles);
-    if (correction.error <= settings_.tolerance) return k;
+    const bool isDone = correction.error <= settings_.tolerance;
+    if (!isDone || correction.growth > 1 + engine.lengthSkin()) engine.update(particles);
+    if (isDone) return k;
   }
   sumDensities(engine, passes.density, particles);
   failToConverge(particles);
