@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What gases start with: densities are given, pressures and energies fit them.
+#include "ictools/check.hpp"
 #include "particles/ideal_gas.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/ictools/scenes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <numbers>
 
 namespace plenum {
 namespace {
@@ -92,15 +96,56 @@ TEST(GasStates, AdaptiveLengthsFollowVolumes) {
 }
 
 TEST(GasStates, AdaptiveLengthsOfAHexagonalLattice) {
-  const std::string text = test::periodicBox("0.05", "lattice = \"hexagonal\"");
+  const std::string text = test::periodicBox("0.05", "lattice = \"hexagonal\"\ndensity = 1\n");
   const auto own = test::sceneOf<2>(text + "[solver]\nsmoothing_length = 2\nadaptive = {}\n");
   const double mass = own.particles[field::mass][0], h = own.particles[field::smoothingLength][0];
   EXPECT_DOUBLE_EQ(h, 2 * std::sqrt(mass));  // density 1
-  // That of the scene is that of the lattice before it is stretched to the domain, by 1.6 % at most
-  // (22 or 23 rows of .0433 m in 1 m).
-  EXPECT_NEAR(own.info.smoothingLength, h, 0.016 * h);
+  // That of the scene is that of the lattice before it is stretched to the domain, by half of
+  // what 24 rows of .0433 m in 1 m leave, 3.9 %.
+  EXPECT_NEAR(own.info.smoothingLength, h, 0.02 * h);
   const auto one = test::sceneOf<2>(text + "[solver]\nsmoothing_length = 2\n");
   EXPECT_DOUBLE_EQ(one.particles[field::smoothingLength][0], 0.1);
+}
+
+/// A disk of dense gas in a periodic box of 1 m.
+std::string cloud(const std::string& radius, const std::string& density) {
+  return R"(
+dimension = 2
+spacing = 0.05
+[domain]
+lower = [0, 0]
+upper = [1, 1]
+periodic = ["x", "y"]
+[geometry]
+disk = { disk = { center = [0.5, 0.5], radius = )" +
+         radius + R"( } }
+[solver]
+equation_of_state = "isothermal"
+smoothing_length = 2
+adaptive = {}
+[[fluid]]
+name = "cloud"
+region = "disk"
+density = 10
+[[fluid]]
+name = "wind"
+equal_mass_with = "cloud"
+density = )" +
+         density + "\n";
+}
+
+TEST(GasStates, NeighboursThatCheckPrints) {
+  const auto neighbours = [](const std::string& text) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "case.toml") << text;
+    return checkCase(folder.path() / "case.toml", {}).estimate.value().neighbours;
+  };
+  // The finer fluid stands first; 4h = 4 spacings of .125 m or of the lattice's own.
+  const std::string isothermal = "equation_of_state = \"isothermal\"\nsmoothing_length = 2\n";
+  EXPECT_NEAR(neighbours(tube(isothermal, "")), 7, 1e-9);  // 8 volumes, less the particle itself
+  EXPECT_NEAR(neighbours(tube(isothermal + "adaptive = {}", "")), 7, 1e-9);
+  // A disk of radius 2 * 2 (V)^(1/2) holds 16 pi volumes.
+  EXPECT_NEAR(neighbours(cloud("0.3", "8")), 16 * std::numbers::pi - 1, 1e-9);
 }
 
 TEST(GasStates, EveryKeySaysTheEnergy) {
@@ -182,41 +227,15 @@ TEST(GasStates, DepositThatReachesNobody) {
   EXPECT_NE(message.find("0.0212132 m away"), std::string::npos) << message;
 }
 
-/// A disk of dense gas in a periodic box of 1 m.
-std::string cloud(const std::string& radius, const std::string& density) {
-  return R"(
-dimension = 2
-spacing = 0.05
-[domain]
-lower = [0, 0]
-upper = [1, 1]
-periodic = ["x", "y"]
-[geometry]
-disk = { disk = { center = [0.5, 0.5], radius = )" +
-         radius + R"( } }
-[solver]
-equation_of_state = "isothermal"
-smoothing_length = 2
-adaptive = {}
-[[fluid]]
-name = "cloud"
-region = "disk"
-density = 10
-[[fluid]]
-name = "wind"
-equal_mass_with = "cloud"
-density = )" +
-         density + "\n";
-}
-
 TEST(GasStates, PeriodicDomainsThatAreTooNarrow) {
   EXPECT_EQ(test::messageOf<2>(cloud("0.3", "8")), "");
   const std::string large = test::messageOf<2>(cloud("0.6", "8"));
   for (const char* part : {"fluid \"cloud\"", "1.2 m long along x", "0.1 m beyond", "of 1 m"})
     EXPECT_NE(large.find(part), std::string::npos) << part << "\n is not in: " << large;
   const std::string thin = test::messageOf<2>(cloud("0.3", "1"));
-  // 2h = 4 (sqrt(3)/2)^(1/2) .05 m sqrt(10) = .589 m.
-  for (const char* part : {"periodic axis x is 1 m", "fluid \"wind\"", "0.588", "at least 1.17"})
+  // 20 columns and 24 rows in 1 m, so 2h = 4 (10/480)^(1/2) m.
+  for (const char* part :
+       {"periodic axis x is 1 m", "fluid \"wind\"", "0.57735 m", "at least 1.1547 m"})
     EXPECT_NE(thin.find(part), std::string::npos) << part << "\n is not in: " << thin;
 }
 
