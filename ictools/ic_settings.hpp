@@ -61,7 +61,7 @@ struct PositionsKeys {
 /// Energy put into an ideal gas around a point.
 struct EnergyDepositSettings {
   std::vector<double> point;  ///< [m]
-  double energy = 1;          ///< [J m^(3-d)]
+  double energy = 1;          ///< [J]
   double radius = 1;          ///< of the kernel's support [m]
 };
 
