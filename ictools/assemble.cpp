@@ -2,10 +2,11 @@
 #include "ictools/assemble.hpp"
 
 #include "engine/ordered_sum.hpp"
+#include "ictools/energy_deposit.hpp"
 #include "ictools/formula.hpp"
+#include "ictools/initial_states.hpp"
 #include "ictools/number_density.hpp"
 #include "ictools/point_grid.hpp"
-#include "ictools/state.hpp"
 #include "particles/number.hpp"
 #include "particles/parallel.hpp"
 
@@ -49,96 +50,82 @@ void setVelocities(const FluidSettings& settings, std::span<const Vec<Dim>> posi
   }
 }
 
-/// What a fluid's formula or profile says at its places; empty where it has neither.
+/// The arrays of `n` particles from `first` on.
 template <int Dim>
-std::vector<double> givenAt(const FluidFill<Dim>& fluid, std::span<const Vec<Dim>> positions) {
-  const FluidSettings& settings = fluid.settings;
-  if (fluid.profile)
-    return densitiesAt<Dim>(*fluid.profile, positions, at(settings.node, "profile"));
-  if (settings.pressureFormula.empty()) return {};
-  const CaseNode& node = at(settings.node, "pressure_formula");
-  return finiteValuesAt(Formula<Dim>(settings.pressureFormula, node), positions, node);
+StateArrays statesOf(ParticleSet<Dim>& particles, std::size_t first, std::size_t n) {
+  StateArrays states{particles[field::density].subspan(first, n),
+                     particles[field::pressure].subspan(first, n),
+                     {}};
+  if (particles.has(field::internalEnergy))
+    states.internalEnergy = particles[field::internalEnergy].subspan(first, n);
+  return states;
+}
+
+/// Masses and smoothing lengths of the particles of a fluid; their densities are there.
+template <int Dim>
+void setSizes(const FluidFill<Dim>& fluid, std::size_t first, const SceneFrame<Dim>& frame,
+              ParticleSet<Dim>& particles) {
+  const std::size_t n = fluid.nParticles;
+  const auto positions = particles[field::position].subspan(first, n);
+  const auto densities = particles[field::density].subspan(first, n);
+  const auto masses = particles[field::mass].subspan(first, n);
+  const auto lengths = particles[field::smoothingLength].subspan(first, n);
+  const bool hasEqualMasses = fluid.settings.spacingFollowsDensity();
+  std::vector<double> volumes;  // meant for particles there; they do not jump where densities do
+  if (hasEqualMasses) volumes = targetVolumes<Dim>(fluid, positions, frame.domain);
+  std::vector<double> ratios;  // of spacings to that of the fluid
+  if (fluid.resolution) ratios = ratiosAt<Dim>(*fluid.resolution, positions);
+  const double plainVolume = plainVolumeOf<Dim>(fluid, ratios);
+  forEachIndex(n, [&](std::size_t k) {
+    const double ratio = ratios.empty() ? 1 : ratios[k];
+    masses[k] =
+        hasEqualMasses ? fluid.particleMass : densities[k] * (plainVolume * power<Dim>(ratio));
+    if (frame.solver.adaptive) {
+      lengths[k] = frame.lengthOfVolume(masses[k] / densities[k]);
+      return;
+    }
+    lengths[k] = frame.smoothingLength() * fluid.lengthScale * ratio;
+    if (hasEqualMasses) lengths[k] *= std::pow(volumes[k] / fluid.lattice.cellVolume(), 1.0 / Dim);
+  });
 }
 
 /// State of the particles of fluid `material`, from `first` on; their positions are there.
 template <int Dim>
 void addFluid(const FluidFill<Dim>& fluid, int material, std::size_t first,
               const SceneFrame<Dim>& frame, ParticleSet<Dim>& particles) {
-  const FluidSettings& settings = fluid.settings;
   const std::size_t n = fluid.nParticles;
-  const InitialState state(settings.ownSolver(frame.solver), settings.density, settings.pressure,
-                           settings.hydrostatic, settings.node);
   const auto positions = particles[field::position].subspan(first, n);
-  const auto densities = particles[field::density].subspan(first, n);
-  const auto pressures = particles[field::pressure].subspan(first, n);
-  const auto masses = particles[field::mass].subspan(first, n);
-  const auto lengths = particles[field::smoothingLength].subspan(first, n);
-  const auto materials = particles[field::material].subspan(first, n);
-  const bool hasEqualMasses = settings.spacingFollowsDensity();
-  std::vector<double> volumes;  // meant for particles there; they do not jump where densities do
-  if (hasEqualMasses) volumes = targetVolumes<Dim>(fluid, positions, frame.domain);
-  std::vector<double> ratios;  // of spacings to that of the fluid
-  if (fluid.resolution) ratios = ratiosAt<Dim>(*fluid.resolution, positions);
-  const double plainVolume = plainVolumeOf<Dim>(fluid, ratios);
-  const auto fill = [&](std::size_t k, const FluidState& here) {
-    densities[k] = here.density;
-    pressures[k] = here.pressure;
-    const double ratio = ratios.empty() ? 1 : ratios[k];
-    masses[k] =
-        hasEqualMasses ? fluid.particleMass : here.density * (plainVolume * power<Dim>(ratio));
-    materials[k] = material;
-    lengths[k] = frame.smoothingLength() * fluid.lengthScale * ratio;
-    if (hasEqualMasses) lengths[k] *= std::pow(volumes[k] / fluid.lattice.cellVolume(), 1.0 / Dim);
-  };
-  setVelocities<Dim>(settings, positions, particles[field::velocity].subspan(first, n));
-  const std::vector<double> given = givenAt<Dim>(fluid, positions);
-  if (given.empty() && state.isUniform()) {
-    const FluidState everywhere = state(Vec<Dim>{});
-    forEachIndex(n, [&](std::size_t k) { fill(k, everywhere); });
-    return;
-  }
-  parallelFor((n + batchLength - 1) / batchLength, [&](std::size_t b) {
-    for (std::size_t k = b * batchLength; k < std::min(n, (b + 1) * batchLength); ++k)
-      fill(k, given.empty()   ? state(positions[k])
-              : fluid.profile ? state.withDensity(given[k])
-                              : state.withPressure(given[k]));
-  });
-}
-
-/// The equation of state of a wall is that of the fluid whose density it has.
-template <int Dim>
-SolverSettings solverOf(const WallFill<Dim>& wall, const std::vector<FluidFill<Dim>>& fluids,
-                        const SolverSettings& solver) {
-  for (const FluidFill<Dim>& fluid : fluids)
-    if (fluid.settings.density == wall.density) return fluid.settings.ownSolver(solver);
-  return solver;
+  setVelocities<Dim>(fluid.settings, positions, particles[field::velocity].subspan(first, n));
+  const StateArrays states = statesOf(particles, first, n);
+  initialStates<Dim>(fluid, frame.solver)->at(positions, states);
+  setSizes(fluid, first, frame, particles);
+  if (fluid.settings.energyDeposit)
+    depositEnergy<Dim>(fluid.settings, frame, positions, particles[field::mass].subspan(first, n),
+                       states);
+  std::ranges::fill(particles[field::material].subspan(first, n), material);
 }
 
 template <int Dim>
 void addWall(const WallFill<Dim>& wall, int row, std::size_t first, const SceneFrame<Dim>& frame,
-             const SolverSettings& solver, ParticleSet<Dim>& particles) {
-  const WallSettings& settings = wall.settings;
+             const InitialStates<Dim>& state, ParticleSet<Dim>& particles) {
   const MotionState motion(wall.motion, 0);
-  const InitialState state(solver, wall.density, settings.pressure, settings.hydrostatic,
-                           settings.node);
-  const bool isPassive =
-      solver.wallPressure == "zero" && !settings.pressure && !settings.hydrostatic;
-  for (std::size_t k = 0; k < wall.points.size(); ++k) {
+  const std::size_t begin = particles.nFluid() + first, n = wall.points.size();
+  for (std::size_t k = 0; k < n; ++k) {
     const WallPoint<Dim>& point = wall.points[k];
-    const std::size_t i = particles.nFluid() + first + k;
-    FluidState here = isPassive ? FluidState{0, wall.density} : state(point.position);
-    // A wall above the surface of a liquid at rest does not pull.
-    if (settings.hydrostatic && here.pressure < 0) here = state.withPressure(0);
+    const std::size_t i = begin + k;
     particles[field::position][i] = point.position;
     particles[field::velocity][i] = motion.velocityAt(point.position);
-    particles[field::density][i] = here.density;
-    particles[field::pressure][i] = here.pressure;
-    particles[field::mass][i] = here.density * point.volume;
-    particles[field::smoothingLength][i] = frame.solver.smoothingLength * wall.spacing;
+    particles[field::smoothingLength][i] = frame.solver.adaptive
+                                               ? frame.lengthOfVolume(point.volume)
+                                               : frame.solver.smoothingLength * wall.spacing;
     particles[field::wall][first + k] = row;
     particles[field::normal][first + k] = point.normal;
     particles[field::wallDistance][first + k] = point.depth;
   }
+  state.at(particles[field::position].subspan(begin, n), statesOf(particles, begin, n));
+  for (std::size_t k = 0; k < n; ++k)
+    particles[field::mass][begin + k] =
+        particles[field::density][begin + k] * wall.points[k].volume;
 }
 
 /// Smallest distance of two particles [m]; `finest` is that which is expected.
@@ -186,6 +173,7 @@ ParticleSet<Dim> assemble(std::vector<FluidFill<Dim>>& fluids,
     std::vector<Vec<Dim>>().swap(fluid.points);  // assigning {} would keep the memory
   }
   particles.add(walls.empty() ? sceneFields : sceneFields | wallFields);
+  if (frame.solver.isIdealGas()) particles.add(FieldSet{field::internalEnergy});
   first = 0;
   for (std::size_t k = 0; k < fluids.size(); ++k) {
     addFluid(fluids[k], static_cast<int>(k), first, frame, particles);
@@ -193,8 +181,8 @@ ParticleSet<Dim> assemble(std::vector<FluidFill<Dim>>& fluids,
   }
   first = 0;
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    addWall(walls[k], static_cast<int>(k), first, frame, solverOf(walls[k], fluids, frame.solver),
-            particles);
+    addWall(walls[k], static_cast<int>(k), first, frame,
+            *initialStates<Dim>(walls[k], fluids, frame.solver), particles);
     first += walls[k].points.size();
   }
   const auto ids = particles[field::id];
@@ -220,15 +208,14 @@ std::vector<std::pair<std::string, double>> qualityFigures(
   for (const auto& fluid : fluids) {
     const std::string& name = fluid.settings.name;
     const auto masses = particles[field::mass].subspan(first, fluid.nParticles);
+    const auto [lightest, densest] =
+        std::ranges::minmax(particles[field::density].subspan(first, fluid.nParticles));
     first += fluid.nParticles;
     const double mass = orderedSum<double>(masses.size(), [&](std::size_t k) { return masses[k]; });
-    const double whole = fluid.settings.density * fluid.volume.value;
     figures.emplace_back(name + ": particles", fluid.nParticles);
     figures.emplace_back(name + ": mass", mass);
-    const bool hasOneDensity = !fluid.profile && !fluid.settings.hydrostatic &&
-                               !fluid.settings.pressure && fluid.settings.pressureFormula.empty();
-    if (fluid.nCovered == 0 && hasOneDensity)
-      figures.emplace_back(name + ": density x volume", whole);
+    if (fluid.nCovered == 0 && lightest == densest)
+      figures.emplace_back(name + ": density x volume", densest * fluid.volume.value);
     figures.emplace_back(name + ": left to earlier fluids", fluid.nCovered);
     for (int a = 0; a < Dim; ++a)
       if (domain.isPeriodic(a) && fluid.settings.hasLattice())

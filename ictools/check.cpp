@@ -127,8 +127,7 @@ void estimateDraft(Draft<Dim>& draft, CheckReport& report) {
       nFluid += static_cast<double>(std::max(fluid.nParticles, fluid.points.size()));
     for (const auto& wall : draft.walls) nWalls += static_cast<double>(wall.points.size());
   }
-  report.estimate =
-      estimateOf(nFluid, nWalls, isCounted, draft.fluids.front().lattice, draft.frame);
+  report.estimate = estimateOf(nFluid, nWalls, isCounted, draft.fluids.front(), draft.frame);
   report.estimate->generateMemory = memoryToGenerate(draft.fluids, nWalls);
 }
 

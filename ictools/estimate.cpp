@@ -70,12 +70,14 @@ double memoryToGenerate(const std::vector<FluidFill<Dim>>& fluids, double nWalls
 }
 
 template <int Dim>
-Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const Lattice<Dim>& lattice,
+Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const FluidFill<Dim>& first,
                     const SceneFrame<Dim>& frame) {
   constexpr double unitBall[] = {2, std::numbers::pi, 4 * std::numbers::pi / 3};
   Estimate estimate{nFluid, nWalls, isCounted};
-  estimate.neighbours =
-      unitBall[Dim - 1] * std::pow(frame.support(), Dim) / lattice.cellVolume() - 1;
+  const double volume = first.lattice.cellVolume();
+  const double h = frame.solver.adaptive ? frame.lengthOfVolume(volume)
+                                         : frame.smoothingLength() * first.lengthScale;
+  estimate.neighbours = unitBall[Dim - 1] * std::pow(2 * h, Dim) / volume - 1;
   const double n = nFluid + nWalls;
   estimate.runMemory = programItself + runBytesAParticle * n;
   const double nInteracting = frame.solver.wallsEvolve() ? n : nFluid;
@@ -120,17 +122,17 @@ std::string describe(const Estimate& estimate) {
 template double expectedFluid(const std::vector<FluidFill<1>>&);
 template double expectedWalls(const std::vector<WallFill<1>>&, const Box<1>&);
 template double memoryToGenerate(const std::vector<FluidFill<1>>&, double);
-template Estimate estimateOf(double, double, bool, const Lattice<1>&, const SceneFrame<1>&);
+template Estimate estimateOf(double, double, bool, const FluidFill<1>&, const SceneFrame<1>&);
 template void checkMemory(const std::vector<FluidFill<1>>&, const SceneFrame<1>&);
 template double expectedFluid(const std::vector<FluidFill<2>>&);
 template double expectedWalls(const std::vector<WallFill<2>>&, const Box<2>&);
 template double memoryToGenerate(const std::vector<FluidFill<2>>&, double);
-template Estimate estimateOf(double, double, bool, const Lattice<2>&, const SceneFrame<2>&);
+template Estimate estimateOf(double, double, bool, const FluidFill<2>&, const SceneFrame<2>&);
 template void checkMemory(const std::vector<FluidFill<2>>&, const SceneFrame<2>&);
 template double expectedFluid(const std::vector<FluidFill<3>>&);
 template double expectedWalls(const std::vector<WallFill<3>>&, const Box<3>&);
 template double memoryToGenerate(const std::vector<FluidFill<3>>&, double);
-template Estimate estimateOf(double, double, bool, const Lattice<3>&, const SceneFrame<3>&);
+template Estimate estimateOf(double, double, bool, const FluidFill<3>&, const SceneFrame<3>&);
 template void checkMemory(const std::vector<FluidFill<3>>&, const SceneFrame<3>&);
 
 }  // namespace plenum

@@ -30,9 +30,10 @@ double expectedWalls(const std::vector<WallFill<Dim>>& walls, const Box<Dim>& bo
 
 /// Memory and time of a run from the numbers of particles. Memory as measured on boxes of 2e5 to
 /// 5e6 particles, a step by the 4 ns an interaction of docs/benchmarks.md (mixed precision, AVX2,
-/// one thread): another machine or scene may take half or twice as much.
+/// one thread): another machine or scene may take half or twice as much. Neighbours are those in
+/// the first fluid.
 template <int Dim>
-Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const Lattice<Dim>& lattice,
+Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const FluidFill<Dim>& first,
                     const SceneFrame<Dim>& frame);
 
 /// Bytes that making the set needs, by the expected number of fluid particles.

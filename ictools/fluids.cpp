@@ -58,6 +58,13 @@ void checkBounds(FluidFill<Dim>& fluid, const SceneFrame<Dim>& frame, const Warn
               fmt::format("the region reaches beyond the periodic faces along {}, so its volume is "
                           "not the fluid's; end it there, or use a lattice and mass = \"cell\"",
                           axisName(a)));
+    // A gas lies in its domain or there is a mistake: a cloud wider than its tunnel.
+    if (std::isfinite(beyond) && frame.solver.equationOfState != "tait")
+      node.fail(fmt::format(
+          "the region of fluid \"{}\" is {:g} m long along {} and reaches {:g} m beyond the "
+          "periodic domain of {:g} m; make the region smaller or the domain larger",
+          fluid.settings.name, bounds.upper[a] - bounds.lower[a], axisName(a), beyond,
+          frame.domain.upper[a] - frame.domain.lower[a]));
     if (std::isfinite(beyond))
       warn(
           fmt::format("fluid \"{}\": its region reaches {:g} m beyond the periodic faces along {}; "

@@ -2,6 +2,7 @@
 #include "ictools/ic_settings.hpp"
 
 #include "geometry/geometry_set.hpp"
+#include "ictools/gas_settings.hpp"
 #include "ictools/lattice.hpp"
 
 #include <fmt/format.h>
@@ -100,12 +101,15 @@ void nameAll(std::vector<Settings>& all, const std::string& kind) {
 }
 
 /// What a fluid starts with is said once.
-void checkState(const FluidSettings& fluid, int dimension) {
+void checkState(const FluidSettings& fluid, int dimension, const SolverSettings& solver) {
+  checkGasKeys(fluid, solver);
   if (fluid.pressure && fluid.hydrostatic)
     at(fluid.node, "pressure").fail("excludes hydrostatic; give one of them");
   if (fluid.profile && fluid.hydrostatic)
     at(fluid.node, "profile").fail("excludes hydrostatic; give one of them");
-  if (!fluid.pressureFormula.empty() && (fluid.pressure || fluid.hydrostatic || fluid.profile))
+  const bool densityFollows = solver.equationOfState == "tait";
+  if (densityFollows && !fluid.pressureFormula.empty() &&
+      (fluid.pressure || fluid.hydrostatic || fluid.profile))
     at(fluid.node, "pressure_formula")
         .fail("excludes pressure, hydrostatic and profile; give one of them");
   if (const CaseNode* node = fluid.node.find("velocity_formula")) {
@@ -116,7 +120,7 @@ void checkState(const FluidSettings& fluid, int dimension) {
   }
 }
 
-void checkFluid(const FluidSettings& fluid, int dimension) {
+void checkFluid(const FluidSettings& fluid, int dimension, const SolverSettings& solver) {
   const std::vector<std::string>& known = latticeNames(dimension);
   if (fluid.lattice != "random" &&
       std::find(known.begin(), known.end(), fluid.lattice) == known.end())
@@ -125,7 +129,7 @@ void checkFluid(const FluidSettings& fluid, int dimension) {
                           dimension == 1 ? "" : "s", fmt::join(known, ", ")));
   if (fluid.lattice == "random" && !fluid.latticeOrigin.empty())
     at(fluid.node, "lattice_origin").fail("a random set has no origin; leave it out");
-  checkState(fluid, dimension);
+  checkState(fluid, dimension, solver);
   if (!fluid.particles.empty() && !fluid.profile && !fluid.hydrostatic)
     at(fluid.node, "particles")
         .fail("goes with a profile or hydrostatic; leave it out, or give one of them");
@@ -238,10 +242,18 @@ const Section<FluidSettings>& fluidSection() {
                  "its components [m/s] by formulas of x, y, z [m], r and pi, instead, as "
                  "[\"sin(2*pi*y)\", \"0\"]")
           .number("pressure", &S::pressure, "Pa m^(3-d)", Range::any(),
-                  "initial pressure, density follows; absent: solver.background_pressure")
+                  "initial pressure; of a liquid density follows, absent: "
+                  "solver.background_pressure; an ideal gas has this or one of the next four")
           .text("pressure_formula", &S::pressureFormula,
                 "the initial pressure [Pa m^(3-d)] by a formula of x, y, z [m], r and pi, instead; "
-                "density follows")
+                "of a liquid density follows")
+          .number("internal_energy", &S::internalEnergy, "J/kg", Range::positive(),
+                  "e of an ideal gas, specific, at first")
+          .text("internal_energy_formula", &S::internalEnergyFormula,
+                "e of an ideal gas [J/kg] by a formula of x, y, z [m], r and pi")
+          .number("temperature", &S::temperature, "K", Range::positive(),
+                  "of an ideal gas: e = k_B T/((gamma - 1) nu m_H)")
+          .section("energy_deposit", &S::energyDeposit, energyDepositSection())
           .section("hydrostatic", &S::hydrostatic, hydrostaticSection())
           .section("profile", &S::profile, profileSection())
           .text(
@@ -281,7 +293,9 @@ const Section<WallSettings>& wallSection() {
           .number(
               "pressure", &S::pressure, "Pa m^(3-d)", Range::any(),
               "initial pressure, density follows; absent: the background pressure, or zero with "
-              "solver.wall_pressure = \"zero\"")
+              "solver.wall_pressure = \"zero\"; of an ideal gas as the fluid of that density")
+          .number("internal_energy", &S::internalEnergy, "J/kg", Range::positive(),
+                  "e of a wall beside an ideal gas; absent: as the fluid of that density")
           .section("hydrostatic", &S::hydrostatic, hydrostaticSection());
   return section;
 }
@@ -342,6 +356,7 @@ std::optional<RelaxSettings> readRelax(const CaseSettings& settings) {
 }
 
 std::vector<FluidSettings> readFluids(const CaseSettings& settings) {
+  const SolverSettings solver = settings.solverOrDefaults();
   std::vector<FluidSettings> fluids;
   for (const CaseNode& node : settings.fluids->asArray()) {
     FluidSettings fluid = fluidSection().read(node, settings.dimension);
@@ -350,7 +365,7 @@ std::vector<FluidSettings> readFluids(const CaseSettings& settings) {
     // A file's particles need not be d_ref apart: the cell of a lattice is not theirs.
     if (fluid.positions && node.find("mass") == nullptr) fluid.mass = "exact";
     if (fluid.lattice.empty()) fluid.lattice = latticeNames(settings.dimension).front();
-    checkFluid(fluid, settings.dimension);
+    checkFluid(fluid, settings.dimension, solver);
     fluids.push_back(std::move(fluid));
   }
   if (fluids.empty()) settings.fluids->fail("is empty; a case needs at least one [[fluid]]");
@@ -367,6 +382,7 @@ std::vector<WallSettings> readWalls(const CaseSettings& settings) {
     WallSettings wall = wallSection().read(node, settings.dimension);
     wall.node = node;
     checkWall(wall, settings.dimension);
+    checkGasKeys(wall, solver);
     if ((wall.pressure || wall.hydrostatic) && !solver.wallsEvolve() &&
         solver.wallPressure != "initial")
       node.find(wall.pressure ? "pressure" : "hydrostatic")

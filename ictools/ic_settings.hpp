@@ -58,6 +58,13 @@ struct PositionsKeys {
   std::vector<double> translate;  ///< [m]; empty: none
 };
 
+/// Energy put into an ideal gas around a point.
+struct EnergyDepositSettings {
+  std::vector<double> point;  ///< [m]
+  double energy = 1;          ///< [J]
+  double radius = 1;          ///< of the kernel's support [m]
+};
+
 struct FluidSettings {
   std::string name;
   std::string region;   ///< "": the whole periodic domain
@@ -77,7 +84,11 @@ struct FluidSettings {
   std::vector<double> velocity;
   std::vector<std::string> velocityFormula;  ///< of the place, a component each; empty: `velocity`
   std::optional<double> pressure;
-  std::string pressureFormula;  ///< of the place; "": none
+  std::string pressureFormula;           ///< of the place; "": none
+  std::optional<double> internalEnergy;  ///< specific, of an ideal gas [J/kg]
+  std::string internalEnergyFormula;     ///< of the place; "": none
+  std::optional<double> temperature;     ///< of an ideal gas [K]
+  std::optional<EnergyDepositSettings> energyDeposit;
   std::optional<HydrostaticSettings> hydrostatic;
   std::optional<ProfileKeys> profile;
   std::string particles;  ///< "equal_mass", "equal_spacing"; "": the first of a profile
@@ -135,6 +146,7 @@ struct WallSettings {
   std::optional<RockingSettings> rocking;
   std::optional<TableMotionSettings> motion;
   std::optional<double> pressure;
+  std::optional<double> internalEnergy;  ///< specific, of an ideal gas [J/kg]
   std::optional<HydrostaticSettings> hydrostatic;
   CaseNode node;
 

@@ -5,6 +5,7 @@
 #include "ictools/equal_masses.hpp"
 #include "ictools/fluids.hpp"
 #include "ictools/number_density.hpp"
+#include "ictools/periodic_support.hpp"
 #include "ictools/positions.hpp"
 #include "ictools/regions.hpp"
 
@@ -43,6 +44,7 @@ template <int Dim>
 void prepareTogether(std::vector<FluidFill<Dim>>& fluids, const CaseSettings& settings,
                      const Regions<Dim>& regions, const SceneFrame<Dim>& frame, const Warn& warn) {
   matchMasses(fluids, frame);
+  checkSupports(fluids, frame);
   std::vector<Refinement<Dim>> refinements;
   for (const RefineSettings& refinement : readRefinements(settings))
     refinements.emplace_back(refinement, regions.find(at(refinement.node, refinement.regionKey())),

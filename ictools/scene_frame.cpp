@@ -2,6 +2,7 @@
 #include "ictools/scene_frame.hpp"
 
 #include "ictools/ic_settings.hpp"
+#include "ictools/lattice.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +10,24 @@
 
 namespace plenum {
 
+namespace {
+
+/// (m/rho)^(1/d) of the first fluid's lattice [m]. Random sets have the closest packing's.
+template <int Dim>
+double cellSizeOf(const CaseSettings& settings) {
+  const std::string name = readFluids(settings).front().lattice;
+  const Lattice<Dim> lattice(name == "random" ? latticeNames(Dim).front() : name, settings.spacing);
+  return std::pow(lattice.cellVolume(), 1.0 / Dim);
+}
+
+}  // namespace
+
 template <int Dim>
 SceneFrame<Dim> sceneFrame(const CaseNode& root, const CaseSettings& settings) {
   static const std::string names[] = {"x", "y", "z"};
   SceneFrame<Dim> frame{settings.spacing, Box<Dim>::nothing(), settings.solverOrDefaults()};
   std::swap(frame.domain.lower, frame.domain.upper);
+  if (frame.solver.adaptive) frame.cellSize = cellSizeOf<Dim>(settings);
   if (!settings.domain) return frame;
   const CaseNode& domain = at(root, "domain");
   for (const std::string& name : settings.domain->periodicAxes) {

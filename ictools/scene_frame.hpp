@@ -4,6 +4,7 @@
 #include "particles/box.hpp"
 #include "particles/case_settings.hpp"
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -18,9 +19,19 @@ struct SceneFrame {
   double spacing = 0;  ///< d_ref [m]
   Box<Dim> domain;     ///< periodic axes as in the case; open axes infinite
   SolverSettings solver;
+  /// (m/rho)^(1/d) on the first fluid's lattice, with solver.adaptive [m]; 0: d_ref counts.
+  double cellSize = 0;
 
-  double smoothingLength() const { return solver.smoothingLength * spacing; }
+  /// Of a particle of the first fluid [m].
+  double smoothingLength() const {
+    return solver.smoothingLength * (cellSize > 0 ? cellSize : spacing);
+  }
   double support() const { return 2 * smoothingLength(); }
+
+  /// Of a particle of volume m/rho [m^d], with solver.adaptive [m].
+  double lengthOfVolume(double volume) const {
+    return solver.smoothingLength * std::pow(volume, 1.0 / Dim);
+  }
 
   /// `box` with the domain's faces on periodic axes.
   Box<Dim> clipped(Box<Dim> box) const {
