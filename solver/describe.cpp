@@ -133,9 +133,11 @@ std::string describeModel(const Simulation<Dim>& simulation) {
   text += fmt::format(
       "time step        {}, {}\n", s.kicksTwice() ? "kick-drift-kick" : "symplectic Euler",
       s.timeStep ? fmt::format("{:g} s, fixed", *s.timeStep) : fmt::format("cfl {:g}", s.cfl));
-  text += fmt::format("pairs            {}, with {} instructions\n",
-                      s.precision == "mixed" ? "in float, state in double" : "in double",
-                      nameOf(instructionSet()));
+  text +=
+      fmt::format("pairs            {}, with {} instructions\n",
+                  simulation.engine().precision() == Precision::mixed ? "in float, state in double"
+                                                                      : "in double",
+                  nameOf(instructionSet()));
   text += leftOut(simulation);
   std::vector<std::string> names;
   particles.forEachField([&](const FieldInfo& info, auto) { names.emplace_back(info.name); });

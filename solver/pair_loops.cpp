@@ -31,10 +31,11 @@ TileFunction<Dim, T> tileFunction(const PassChoice& choice) {
   forEachTermList([&]<template <class...> class List, class... Terms, bool isTuned>(
                       List<Terms...> list, std::bool_constant<isTuned>) {
     if (k++ != choice.termList) return;
-    withLoopProfile<Dim, list.usesKernel, isTuned>(choice.kernel, [&]<class Profile>(Profile) {
-      using Own = typename List<Terms...>::template ProfileOf<Profile>;
-      function = &sumChosen<Real, Dim, Own, Terms...>;
-    });
+    if constexpr (hasLoops<Dim, T>)
+      withLoopProfile<Dim, T, list.usesKernel, isTuned>(choice.kernel, [&]<class Profile>(Profile) {
+        using Own = typename List<Terms...>::template ProfileOf<Profile>;
+        function = &sumChosen<Real, Dim, Own, Terms...>;
+      });
   });
   return function;
 }

@@ -8,8 +8,13 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
 
 namespace plenum {
+
+/// Whether there are loops for a number type: 1-D scenes are small, they compute in double only.
+template <int Dim, class T>
+inline constexpr bool hasLoops = Dim > 1 || std::is_same_v<T, double>;
 
 /// The passes of a step, as the case asks for them; empty where the scene does not model it.
 template <int Dim>

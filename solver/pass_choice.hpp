@@ -8,6 +8,7 @@
 #include "engine/pair_loop.hpp"
 #include "engine/tile_work.hpp"
 #include "solver/gas_terms.hpp"
+#include "solver/pair_pass.hpp"
 #include "solver/terms.hpp"
 
 namespace plenum {
@@ -96,14 +97,14 @@ constexpr int indexOf() {
   return index;
 }
 
-/// Calls `visit` with the profile that the loops for a kernel have: in 2-D and 3-D tuned ones for
-/// the kernels that scenes name, or for the default kernel only; the others share those of
-/// kernel::Any, which take about twice the time.
-template <int Dim, bool usesKernel, bool isTuned, class Visit>
+/// Calls `visit` with the profile that the loops for a kernel have: in float tuned ones for the
+/// kernels that scenes name, or for the default kernel only; the others, and double, where speed
+/// matters less, share those of kernel::Any, which take about twice the time.
+template <int Dim, class T, bool usesKernel, bool isTuned, class Visit>
 constexpr void withLoopProfile(int id, Visit&& visit) {
   if constexpr (!usesKernel)
     visit(NoKernel{});
-  else if constexpr (Dim == 1)
+  else if constexpr (Dim == 1 || std::is_same_v<T, double>)
     visit(kernel::Any{});
   else if constexpr (isTuned)
     withProfileAmong<kernel::WendlandC2, kernel::WendlandC2OneD, kernel::Convex>(id, visit);
@@ -119,7 +120,8 @@ struct PassChoice {
   AllTerms terms;
 };
 
-/// The loop for a choice, compiled for the instruction set `Isa` (pair_loops.cpp).
+/// The loop for a choice, compiled for the instruction set `Isa` (pair_loops.cpp); null where there
+/// are none.
 template <class Isa, class T, int Dim>
 TileFunction<Dim, T> tileFunction(const PassChoice& choice);
 

@@ -17,7 +17,8 @@ typename Engine<Dim>::Options engineOptions(const Scene<Dim>& scene, const Solve
   options.adaptive = s.hasOwnLengths();
   // What Newton's method corrects in a smooth flow, after a prediction.
   if (s.adaptive && s.adaptive->form == "grad_h") options.lengthSkin = 0.01;
-  options.precision = s.precision == "double" ? Precision::doubled : Precision::mixed;
+  options.precision =
+      s.precision == "double" || !hasLoops<Dim, float> ? Precision::doubled : Precision::mixed;
   options.units =
       Units::near(s.smoothingLength * info.spacing, scene.particles[field::mass][0], soundSpeed);
   return options;

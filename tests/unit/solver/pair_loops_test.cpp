@@ -113,6 +113,7 @@ void expectEqualToDoubleLoop() {
       continue;
     }
     for (const Precision precision : test::bothPrecisions) {
+      if (precision == Precision::mixed && !hasLoops<Dim, float>) continue;
       std::cout << "  " << Dim << "-D, " << nameOf(set) << ", " << test::nameOf(precision)
                 << ": largest deviation / typical sum of |terms|, by list:";
       int termList = 0;
@@ -153,7 +154,7 @@ TEST(PairLoops, EveryListAndKernelHasALoop) {
         EXPECT_EQ(indexOf<decltype(list)>(), termList);
         for (const std::string& kernel : KernelId::names()) {
           const PassChoice choice = choiceOf(kernel, termList);
-          EXPECT_NE((tileFunction<Isa, float, 1>(choice)), nullptr);
+          EXPECT_EQ((tileFunction<Isa, float, 1>(choice)), nullptr) << "1-D is in double";
           EXPECT_NE((tileFunction<Isa, double, 1>(choice)), nullptr);
           EXPECT_NE((tileFunction<Isa, float, 2>(choice)), nullptr);
           EXPECT_NE((tileFunction<Isa, double, 2>(choice)), nullptr);
