@@ -77,8 +77,7 @@ const Section<EnergyDepositSettings>& energyDepositSection() {
   static const Section<S> section = [] {
     Section<S> made("energy put into the particles around a point, weighted by the case's kernel");
     made.vector("point", &S::point, "m", "where").required();
-    made.number("energy", &S::energy, "J", Range::positive(),
-                "the sum of m e that is added")
+    made.number("energy", &S::energy, "J", Range::positive(), "the sum of m e that is added")
         .required();
     made.number("radius", &S::radius, "m", Range::positive(), "how far the kernel reaches: 2h")
         .required();
