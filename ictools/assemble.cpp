@@ -80,7 +80,7 @@ void setSizes(const FluidFill<Dim>& fluid, std::size_t first, const SceneFrame<D
     const double ratio = ratios.empty() ? 1 : ratios[k];
     masses[k] =
         hasEqualMasses ? fluid.particleMass : densities[k] * (plainVolume * power<Dim>(ratio));
-    if (frame.solver.adaptive) {
+    if (frame.solver.lengthsFollow()) {
       lengths[k] = frame.lengthOfVolume(masses[k] / densities[k]);
       return;
     }
@@ -115,7 +115,7 @@ void addWall(const WallFill<Dim>& wall, int row, std::size_t first, const SceneF
     const std::size_t i = begin + k;
     particles[field::position][i] = point.position;
     particles[field::velocity][i] = motion.velocityAt(point.position);
-    particles[field::smoothingLength][i] = frame.solver.adaptive
+    particles[field::smoothingLength][i] = frame.solver.lengthsFollow()
                                                ? frame.lengthOfVolume(point.volume)
                                                : frame.solver.smoothingLength * wall.spacing;
     particles[field::wall][first + k] = row;

@@ -75,8 +75,8 @@ Estimate estimateOf(double nFluid, double nWalls, bool isCounted, const FluidFil
   constexpr double unitBall[] = {2, std::numbers::pi, 4 * std::numbers::pi / 3};
   Estimate estimate{nFluid, nWalls, isCounted};
   const double volume = first.lattice.cellVolume();
-  const double h = frame.solver.adaptive ? frame.lengthOfVolume(volume)
-                                         : frame.smoothingLength() * first.lengthScale;
+  const double h = frame.solver.lengthsFollow() ? frame.lengthOfVolume(volume)
+                                                : frame.smoothingLength() * first.lengthScale;
   estimate.neighbours = unitBall[Dim - 1] * std::pow(2 * h, Dim) / volume - 1;
   const double n = nFluid + nWalls;
   estimate.runMemory = programItself + runBytesAParticle * n;

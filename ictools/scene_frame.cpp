@@ -27,7 +27,7 @@ SceneFrame<Dim> sceneFrame(const CaseNode& root, const CaseSettings& settings) {
   static const std::string names[] = {"x", "y", "z"};
   SceneFrame<Dim> frame{settings.spacing, Box<Dim>::nothing(), settings.solverOrDefaults()};
   std::swap(frame.domain.lower, frame.domain.upper);
-  if (frame.solver.adaptive) frame.cellSize = cellSizeOf<Dim>(settings);
+  if (frame.solver.lengthsFollow()) frame.cellSize = cellSizeOf<Dim>(settings);
   if (!settings.domain) return frame;
   const CaseNode& domain = at(root, "domain");
   for (const std::string& name : settings.domain->periodicAxes) {

@@ -58,8 +58,9 @@ Section<AdaptiveSettings> adaptiveSection() {
       .text("form", &S::form,
             "grad_h: h and the particle's own density fit each other, and forces have the terms of "
             "grad h (Springel & Hernquist 2002, Price 2012); mean_density: h from the mean density "
-            "around it, and forces with the mean kernel",
-            {"grad_h", "mean_density"})
+            "around it, and forces with the mean kernel; constant: smoothing_length times d_ref, "
+            "even where particles stand closer, to see what adaptive ones are good for",
+            {"grad_h", "mean_density", "constant"})
       .number("tolerance", &S::tolerance, "", Range::above(0, 0.1),
               "of grad_h: by how much a density may miss its smoothing length")
       .integer("max_iterations", &S::maxIterations, Range::between(1, 1000),

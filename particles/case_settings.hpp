@@ -132,6 +132,9 @@ struct SolverSettings {
     return viscosity && viscosity->neumannRichtmyer ? &*viscosity->neumannRichtmyer : nullptr;
   }
   bool usesBalsara() const { return monaghan() != nullptr && monaghan()->balsara; }
+  bool hasForm(const char* form) const { return adaptive && adaptive->form == form; }
+  /// Smoothing lengths follow the density; else they are the same all the time.
+  bool lengthsFollow() const { return adaptive && adaptive->form != "constant"; }
   /// Particles have a smoothing length each in the loops, be it the same.
   bool hasOwnLengths() const {
     return adaptive || isIdealGas() || usesBalsara() || bulk() != nullptr ||

@@ -21,8 +21,8 @@ std::string densityLine(const SolverSettings& s) {
 }
 
 std::string smoothingLine(const SolverSettings& s) {
-  if (!s.adaptive) return "";
-  if (s.adaptive->form == "grad_h")
+  if (!s.lengthsFollow()) return "";
+  if (s.hasForm("grad_h"))
     return fmt::format("smoothing        h = {:g} (m/rho)^(1/d), grad-h terms, to {:g}\n",
                        s.smoothingLength, s.adaptive->tolerance);
   return fmt::format("smoothing        h = {:g} (m/rho_mean)^(1/d){}\n", s.smoothingLength,
@@ -102,7 +102,7 @@ std::string leftOut(const Simulation<Dim>& simulation) {
   const SolverSettings& s = simulation.settings();
   std::vector<std::string> absent;
   if (!s.isIdealGas()) absent.push_back("energy equation");
-  if (s.hasOwnLengths() && !s.adaptive) absent.push_back("adaptive smoothing lengths");
+  if (s.hasOwnLengths() && !s.lengthsFollow()) absent.push_back("adaptive smoothing lengths");
   if (!s.viscosity) absent.push_back("viscosity");
   if (s.isIdealGas() && !s.conductivity) absent.push_back("conductivity");
   if (!s.collisions) absent.push_back("collisions");
@@ -122,8 +122,8 @@ std::string describeModel(const Simulation<Dim>& simulation) {
       "particles        {} fluid, {} wall, {}-D, d_ref = {:g} m\n"
       "kernel           {}, h = {:g} {}, {}support {:g} m\n",
       particles.nFluid(), particles.nWalls(), Dim, simulation.info().spacing, s.kernel,
-      s.smoothingLength, s.adaptive ? "(m/rho)^(1/d)" : "d_ref", s.adaptive ? "largest " : "",
-      simulation.engine().support());
+      s.smoothingLength, s.lengthsFollow() ? "(m/rho)^(1/d)" : "d_ref",
+      s.lengthsFollow() ? "largest " : "", simulation.engine().support());
   text += smoothingLine(s);
   text += phaseLines(simulation.phases(), simulation.info().materials, s);
   text += densityLine(s) + forceLines(s);

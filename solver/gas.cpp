@@ -33,7 +33,7 @@ void Gas<Dim>::setLengths(ParticleSet<Dim>& particles, double h) const {
   const auto mass = particles[field::mass], density = particles[field::density];
   const double eta = settings_.smoothingLength;
   forEachIndex(particles.size(), [&](std::size_t i) {
-    lengths[i] = settings_.adaptive ? eta * std::pow(mass[i] / density[i], 1.0 / Dim) : h;
+    lengths[i] = settings_.lengthsFollow() ? eta * std::pow(mass[i] / density[i], 1.0 / Dim) : h;
   });
 }
 

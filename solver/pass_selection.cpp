@@ -143,7 +143,7 @@ class PassMaker {
   PairPass<Dim> forcesInGas() const {
     using namespace term;
     const auto pass = [&](auto list) { return make(list, Group::fluids); };
-    const bool hasGradH = settings_.adaptive && settings_.adaptive->form == "grad_h";
+    const bool hasGradH = settings_.hasForm("grad_h");
     if (!settings_.isIdealGas())
       return hasGradH ? pass(OwnLengths<PressureGradH, MonaghanViscosityOfPhases, DensityRate>{})
                       : pass(OwnLengths<PressureDensitySquared, MonaghanViscosityOfPhases,
@@ -207,8 +207,7 @@ StepPasses<Dim> selectPasses(const SolverSettings& settings, const Phases& phase
   if (make.diffusionLeavesWallsOut()) passes.densityAtWalls = make.densityAtWalls();
   if (options.hasWalls && (settings.wallsExtrapolate() || settings.laminar()))
     passes.atWalls = make.atWalls();
-  if (settings.adaptive && settings.adaptive->form == "mean_density")
-    passes.densityMoment = make.densityMoment();
+  if (settings.hasForm("mean_density")) passes.densityMoment = make.densityMoment();
   if (settings.usesBalsara() || settings.bulk() || settings.neumannRichtmyer())
     passes.convergence = make.convergence();
   passes.forces = make.forces();

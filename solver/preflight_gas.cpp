@@ -85,7 +85,7 @@ void checkGas(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particles,
   if (settings.selfTermCorrection && !hasSelfTermCorrection(settings.kernel, Dim))
     refuse("self_term_correction", fmt::format("is not known for {} in {}-D", settings.kernel, Dim),
            "it is for wendland_c2, wendland_c4 and wendland_c6 in 3-D");
-  if (settings.selfTermCorrection && !settings.adaptive)
+  if (settings.selfTermCorrection && !settings.lengthsFollow())
     refuse("self_term_correction", "depends on the number of neighbours, which adaptive keeps",
            "set adaptive = {} beside it");
   if (!settings.hasOwnLengths()) return;

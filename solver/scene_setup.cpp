@@ -16,7 +16,7 @@ typename Engine<Dim>::Options engineOptions(const Scene<Dim>& scene, const Solve
                                        s.densityDiffusion || measuresLoads);
   options.adaptive = s.hasOwnLengths();
   // What Newton's method corrects in a smooth flow, after a prediction.
-  if (s.adaptive && s.adaptive->form == "grad_h") options.lengthSkin = 0.01;
+  if (s.hasForm("grad_h")) options.lengthSkin = 0.01;
   options.precision =
       s.precision == "double" || !hasLoops<Dim, float> ? Precision::doubled : Precision::mixed;
   options.units =

@@ -24,8 +24,8 @@ constexpr double largestChange = 1.3;
 template <int Dim>
 SmoothingLengths<Dim>::SmoothingLengths(const SolverSettings& settings)
     : settings_(settings.adaptive.value_or(AdaptiveSettings{})),
-      isAdaptive_(settings.adaptive.has_value()),
-      isGradH_(isAdaptive_ && settings_.form == "grad_h"),
+      isAdaptive_(settings.lengthsFollow()),
+      isGradH_(settings.hasForm("grad_h")),
       eta_(settings.smoothingLength),
       selfTerm_(selfTermCorrection(settings, Dim)) {}
 

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Gases against exact solutions: errors by viscosity, by smoothing length and by number of
+particles. Figures that others measured stand beside ours."""
+
+import json
+import math
+import re
+import subprocess
+import unittest
+
+import figures
+from harness import CASES, IC, SPH, Programs
+
+VISCOSITIES = {
+    "none": None,
+    "bulk": "{bulk={alpha=0.8}}",
+    "von Neumann-Richtmyer": "{neumann_richtmyer={alpha=0.8}}",
+    "tensor (.8, 0, .1)": "{tensor={alpha_1=0.8, alpha_2=0, beta=0.1}}",
+    "tensor (.8, .5, .1)": "{tensor={alpha_1=0.8, alpha_2=0.5, beta=0.1}}",
+    "linear combination": "{bulk={alpha=0.8}, neumann_richtmyer={alpha=0.8}}",
+}
+# Relative L1 of the density in the tube 4 : 1 and in two streams at Mach 2, by a program of its own
+# for 1-D; velocity noise behind the shock.
+SHEET = {"bulk": (.0059, .0043, .042, .218), "von Neumann-Richtmyer": (.0097, .042, .0165, .14),
+         "tensor (.8, 0, .1)": (.0041, .0003, .0082, .023),
+         "tensor (.8, .5, .1)": (.0041, .0003, .0037, .0036),
+         "linear combination": (.0063, .0031, .0093, .037)}
+
+
+class Gas(Programs):
+    def run_case(self, name, *sets, without=()):
+        """(summary, columns of history.csv) of a case with some keys set and some lines left out."""
+        with open(f"{CASES}/{name}.toml") as file:
+            text = file.read()
+        for key in without:
+            text, n = re.subn(rf"^{key}\s.*\n", "", text, flags=re.M)
+            self.assertEqual(n, 1, key)
+        case = self.write(f"{name}.toml", text)
+        self.ok(IC, "generate", case, "-q", "--no-report", "-o", "set.hdf",
+                *(word for value in sets for word in ("--set", value)))
+        self.ok(SPH, "run", "set.hdf", "-q", "--anew", "-o", "out")
+        with open(self.path("out", "summary.json")) as file:
+            summary = json.load(file)
+        with open(self.path("out", "history.csv")) as file:
+            head, *rows = (line.strip().split(",") for line in file)
+        heads = [cell.split(" [")[0] for cell in head]
+        columns = {name: [float(row[k]) if row[k] else math.nan for row in rows]
+                   for k, name in enumerate(heads)}
+        return summary, columns
+
+    def test_isothermal_shocks_by_viscosity(self):
+        rows = [("viscosity", "tube: L1 rho", "sheet", "L1 v", "noise", "sheet", "width/h",
+                 "streams: L1 rho", "sheet", "noise", "sheet")]
+        found = {}
+        for name, viscosity in VISCOSITIES.items():
+            if viscosity is None:
+                continue
+            row = [name]
+            for case, k in (("isothermal_shock", 0), ("colliding_streams", 2)):
+                m = self.run_case(case, f"solver.viscosity={viscosity}",
+                                  "solver.integrator=symplectic_euler")[0]["measures"]
+                found[name, case] = m
+                row += [m["l1_density"], SHEET[name][k]]
+                if k == 0:
+                    row.append(m["l1_velocity"])
+                row += [m["velocity_noise"], SHEET[name][k + 1]]
+                if k == 0:
+                    row.append(m["shock_width"])
+            rows.append(row)
+        figures.table("isothermal_shock", rows)
+
+        def l1(name, case="isothermal_shock"):
+            return found[name, case]["l1_density"]
+        for tensor in ("tensor (.8, 0, .1)", "tensor (.8, .5, .1)"):
+            self.assertLessEqual(l1(tensor), .005)
+            # The sheet's window for the tube differs by some h: a tenth of its error.
+            self.assertAlmostEqual(l1(tensor), SHEET[tensor][0], delta=.0004)
+            # The combination and bulk are within a tenth of each other, in both programs.
+            self.assertLess(l1(tensor), l1("bulk"))
+            self.assertLess(l1("bulk"), l1("linear combination"))
+            self.assertLess(l1("linear combination"), l1("von Neumann-Richtmyer"))
+            # Streams: particles pass through each other at first, and what that leaves depends on the
+            # step and on how kernels of two lengths are made one. The sheet's program takes the
+            # kernel of the mean length; with the mean of the two kernels, as here, it has .0131 to
+            # .0145 for the first tensor and .0103 for the combination: their order is not compared.
+            streams = "colliding_streams"
+            self.assertLess(l1(tensor, streams), l1("von Neumann-Richtmyer", streams))
+            self.assertLess(l1("linear combination", streams), l1("von Neumann-Richtmyer", streams))
+            self.assertLess(l1("von Neumann-Richtmyer", streams), l1("bulk", streams))
+            self.assertLess(l1("tensor (.8, .5, .1)", streams),
+                            .6 * l1("linear combination", streams))
+            noise = found[tensor, "isothermal_shock"]["velocity_noise"]
+            richtmyer = found["von Neumann-Richtmyer", "isothermal_shock"]["velocity_noise"]
+            self.assertGreater(richtmyer, 10 * noise)
+
+    def test_sixteen_to_one(self):
+        sixteen = ("fluid[0].density=16", "measures.riemann.left.density=16",
+                   "solver.integrator=symplectic_euler")
+        rows = [("smoothing length", "L1 rho, 16 : 1", "sheet")]
+        constant = self.run_case("isothermal_shock", *sixteen,
+                                 'solver.adaptive.form="constant"')
+        mean = self.run_case("isothermal_shock", *sixteen)
+        limited = {share: self.run_case("isothermal_shock", *sixteen,
+                                        f"solver.adaptive.change_limit={share}")
+                   for share in (.03, .01, .001)}
+        own = self.run_case("isothermal_shock", *sixteen, 'solver.adaptive.form="grad_h"')
+        l1 = {"constant": constant, "from the mean density": mean,
+              **{f"the same, at most {100 * s:g} % a step": run for s, run in limited.items()},
+              "from the own density, grad-h terms": own}
+        sheet = {"constant": .0455, "from the mean density": .0026}
+        for name, (summary, _) in l1.items():
+            rows.append((name, summary["measures"]["l1_density"], sheet.get(name, "-")))
+        figures.table("smoothing_lengths", rows)
+        errors = {name: run[0]["measures"]["l1_density"] for name, run in l1.items()}
+        self.assertGreater(errors["constant"], 10 * errors["from the mean density"])
+
+    # case: (sizes as d_ref, the least order of the last two, column, what others publish)
+    CONVERGENCE = {
+        "isothermal_shock": ((.1, .05, .025), .8, "l1_density", "1 (sheet)"),
+        "sod": ((.02, .01, .005), .8, "l1_density", "about 1"),
+        "noh": ((.04, .02, .01), .8, "l1_density", ""),
+        "sedov": ((.05, .04, .03), 0, "l1_density", ""),
+        "gresho": ((.04, .02, .01), 0, "l1_velocity", ".7 to 1.4"),
+    }
+
+    def test_convergence(self):
+        rows = [("case", "N", "norm", "error", "order", "energy drift", "M updates/s")]
+        curves = {}
+        for case, (sizes, least, column, _) in self.CONVERGENCE.items():
+            errors = []
+            for size in sizes:
+                more = ([f"fluid[0].energy_deposit.radius={3 * size}"] if case == "sedov" else [])
+                summary, columns = self.run_case(case, f"spacing={size}", *more)
+                errors.append(summary["measures"][column])
+                order = (math.log(errors[-2] / errors[-1]) / math.log(sizes[len(errors) - 2] / size)
+                         if len(errors) > 1 else None)
+                energies = columns["energy_total"]
+                drift = max(abs(e / energies[0] - 1) for e in energies)
+                n = summary["fluid_particles"]
+                rows.append((case, str(n), column, errors[-1],
+                             "-" if order is None else f"{order:.2f}",
+                             "-" if case == "isothermal_shock" else f"{drift:.1e}",
+                             f"{summary['updates_per_second'] / 1e6:.2f}"))
+                curves.setdefault(case, []).append((n, errors[-1]))
+                if case == "sod":
+                    self.assertLess(drift, 1e-3)
+            self.assertGreaterEqual(order, least, case)
+        figures.table("gas_convergence", rows)
+        figures.chart("gas_convergence", "Gases against exact solutions",
+                      ("particles", "error"), curves, "set logscale xy")
+
+    def test_figure_three(self):
+        """Density and velocity of the tube by viscosity, as figure 3 of [A]."""
+        if not figures.FOLDER:
+            self.skipTest("a figure only")
+        panels = ""
+        for name, viscosity in VISCOSITIES.items():
+            without = ["viscosity"] if viscosity is None else []
+            sets = [] if viscosity is None else [f"solver.viscosity={viscosity}"]
+            self.run_case("isothermal_shock", *sets, without=without)
+            panels += panel(name, profile(self.path("out", "set_end.hdf")))
+        script = (f"set terminal pngcairo size 1000,1200 font 'DejaVu Sans,10' noenhanced\n"
+                  f"set output '{figures.FOLDER}/isothermal_shock.png'\n"
+                  "set multiplot layout 3,2 title 'Isothermal shock tube 4 : 1, t = 5'\n"
+                  "set xrange [4:20]\nset yrange [-.3:4.5]\nset grid lc rgb '#dddddd' lt 1\n"
+                  "set key top right\n" + exact_block() + panels + "unset multiplot\n")
+        subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
+def profile(path):
+    """(x, density, velocity) of the particles in the published half of the tube."""
+    import h5py
+    with h5py.File(path) as file:
+        x = file["VTKHDF/Points"][:, 0]
+        half = (x > 4) & (x < 20)
+        return sorted(zip(x[half], file["PartType0/Density"][:][half],
+                          file["PartType0/Velocities"][:, 0][half]))
+
+
+def exact_block():
+    """The exact solution at t = 5: rarefaction, plateau, shock."""
+    rho, v, shock, t = 1.9865, .6999, 1.4094, 5.0
+    places = [4 + .02 * k for k in range(801)]
+    lines = ""
+    for x in places:
+        xi = (x - 12) / t
+        if xi < -1:
+            state = (4, 0)
+        elif xi < v - 1:
+            state = (4 * math.exp(-(xi + 1)), xi + 1)
+        else:
+            state = (rho, v) if xi < shock else (1, 0)
+        lines += f"{x} {state[0]} {state[1]}\n"
+    return f"$exact << EOD\n{lines}EOD\n"
+
+
+def panel(name, points):
+    label = name.replace(" ", "").translate(str.maketrans("", "", "(),.-"))
+    block = f"$p{label} << EOD\n" + "".join(f"{x} {r} {v}\n" for x, r, v in points) + "EOD\n"
+    return block + (f"set title '{name}'\n"
+                    f"plot $exact using 1:2 with lines lc rgb '#999999' title 'exact', "
+                    f"$exact using 1:3 with lines lc rgb '#999999' notitle, "
+                    f"$p{label} using 1:2 with points pt 7 ps .3 lc rgb '#0b5394' title 'density', "
+                    f"$p{label} using 1:3 with points pt 7 ps .3 lc rgb '#b45f06' title 'velocity'\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
