@@ -12,7 +12,7 @@ void checkSupports(const std::vector<FluidFill<Dim>>& fluids, const SceneFrame<D
     for (int a = 0; a < Dim; ++a) {
       if (!frame.domain.isPeriodic(a)) continue;
       const double length = frame.domain.upper[a] - frame.domain.lower[a];
-      if (length >= 2 * support * (1 + 1e-9)) continue;  // the engine is as strict
+      if (length >= 2 * support * (1 - 1e-9)) continue;  // rounding; the engine is as strict
       at(fluid.settings.node, "equal_mass_with")
           .fail(fmt::format(
               "periodic axis {} is {:g} m long, less than twice the support of {:g} m that the "

@@ -23,6 +23,7 @@ FIELDS = {
     "id": "ParticleIDs", "material": "MaterialIDs", "wall": "WallIDs", "normal": "Normals",
     "wall_distance": "WallDistances", "reference_position": "ReferencePositions",
     "reference_normal": "ReferenceNormals", "acceleration": "Accelerations",
+    "internal_energy_rate": "InternalEnergyRates", "velocity_divergence": "VelocityDivergences",
     "type": "ParticleTypes",
 }
 UNITS = {"Coordinates": "m", "Velocities": "m/s", "Masses": "kg", "Density": "kg/m^d",
