@@ -11,7 +11,7 @@ ic=$build/ictools/plenum-ic
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest dam vessel gas pairing)
+known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest dam vessel gas blob_mass pairing)
 chosen=("${@:-${known[@]}}")
 
 # The disk in which the first pictures are taken.
@@ -92,6 +92,7 @@ for name in "${chosen[@]}"; do
       "$ic" generate "$root/cases/cad_vessel.toml" -q --no-report -o "$work/vessel.hdf"
       "$build/solver/plenum-sph" run "$work/vessel.hdf" -q -o "$work/vessel"
       cp "$work/vessel/last.png" "$folder/cad_vessel.png" ;;
+    blob_mass) measured blob ;;
     relaxed_sets | densities | at_rest | gas | pairing) measured "$name" ;;
     *) echo "make_figures.sh: $name: no such figure; known: ${known[*]}" >&2; exit 1 ;;
   esac

@@ -28,7 +28,8 @@ class NearTiles {
       for (int c = 0; c < nReceivers; ++c) {
         for (int a = 0; a < Dim; ++a) x[c].position[a] = Real(block[a * n + c]);
         if constexpr (adaptive)
-          x[c].h = Real(lengthsOf(half / 2)[half % 2 * nReceivers + static_cast<unsigned>(c)]);
+          x[c].reachSquared = reachSquared(
+              Real(lengthsOf(half / 2)[half % 2 * nReceivers + static_cast<unsigned>(c)]));
       }
       const Vec<Dim>& origin = work_.locals[half / 2].origin;
       count.nearSelf = nearFirst(x, origin, tile, count.self);
@@ -43,8 +44,10 @@ class NearTiles {
  private:
   struct Receiver {
     Real position[Dim];
-    Real h;
+    Real reachSquared;
   };
+
+  [[gnu::always_inline]] Real reachSquared(Real h) const { return Real(limit_) * h * h; }
 
   const T* lengthsOf(std::size_t local) const {
     return work_.smoothingLengths + std::size_t{work_.locals[local].cluster} * n;
@@ -75,14 +78,13 @@ class NearTiles {
       Real y[Dim];
       for (int a = 0; a < Dim; ++a)
         y[a] = Real::load(block + a * n + part) + Real(static_cast<T>(local.origin[a] - origin[a]));
+      Real reachOfPart;
+      if constexpr (adaptive) reachOfPart = reachSquared(Real::load(lengthsOf(candidate) + part));
       for (int c = 0; c < nReceivers; ++c) {
         Real distanceSquared(0);
         for (int a = 0; a < Dim; ++a)
           distanceSquared += (x[c].position[a] - y[a]) * (x[c].position[a] - y[a]);
-        if constexpr (adaptive) {
-          const Real h = max(x[c].h, Real::load(lengthsOf(candidate) + part));
-          distanceSquared -= Real(limit_) * h * h;
-        }
+        if constexpr (adaptive) distanceSquared -= max(x[c].reachSquared, reachOfPart);
         least = min(least, distanceSquared);
       }
     }

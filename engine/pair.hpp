@@ -10,7 +10,8 @@
 //   };
 //
 // that adds what particle i gets from j, or takes an Exchange: what i gets and j loses, so that the
-// pair is computed once and momentum is conserved to the last digit of a sum.
+// pair is computed once and momentum is conserved to the last digit of a sum. A third form takes
+// both, (ij, Exchange& i, Sums& each): what each of the two gets alike is computed once, too.
 //
 // A term knows neither loop nor layout nor how many pairs it sees at once: `Real` is a number or a
 // pack. As in the formulas, sums run over all neighbours and the particle itself (r_ij = 0).
@@ -79,19 +80,43 @@ struct GradW {
   }
 };
 
-/// A vector that a pair adds to. Most terms point along grad_i W_ij: their factors are added up
-/// before the one multiplication by the vector.
+/// factor r_ij
+template <class Real>
+struct TimesR {
+  Real factor;
+};
+struct AlongR {
+  template <class Real>
+  [[gnu::always_inline]] friend TimesR<Real> operator*(Real s, AlongR) {
+    return {s};
+  }
+};
+
+/// A vector that a pair adds to. Most terms point along grad_i W_ij or r_ij: their factors are
+/// added up before the one multiplication by the vector.
 template <class Real, int Dim>
 struct VectorSum {
   Real alongGradW{0};
+  Real alongR{0};
   Vec<Dim, Real> rest{};
 
+  // Inline in any case: g++ makes these many numbers a call of their own, 2 times the rest of a
+  // pair.
+  [[gnu::always_inline]] VectorSum() {}
   [[gnu::always_inline]] VectorSum& operator+=(const TimesGradW<Real>& g) {
     alongGradW += g.factor;
     return *this;
   }
   [[gnu::always_inline]] VectorSum& operator-=(const TimesGradW<Real>& g) {
     alongGradW -= g.factor;
+    return *this;
+  }
+  [[gnu::always_inline]] VectorSum& operator+=(const TimesR<Real>& g) {
+    alongR += g.factor;
+    return *this;
+  }
+  [[gnu::always_inline]] VectorSum& operator-=(const TimesR<Real>& g) {
+    alongR -= g.factor;
     return *this;
   }
   [[gnu::always_inline]] VectorSum& operator+=(const Vec<Dim, Real>& v) {
@@ -102,8 +127,9 @@ struct VectorSum {
     rest -= v;
     return *this;
   }
-  [[gnu::always_inline]] Vec<Dim, Real> total(const Vec<Dim, Real>& gradW) const {
-    return alongGradW * gradW + rest;
+  /// With grad_i W_ij = F r.
+  [[gnu::always_inline]] Vec<Dim, Real> total(Real F, const Vec<Dim, Real>& r) const {
+    return (alongGradW * F + alongR) * r + rest;
   }
 };
 
@@ -128,6 +154,8 @@ struct Sums {
   VectorSum<Real, Dim> densityGradient;
   VectorSum<Real, Dim> momentDiagonal;
   VectorSum<Real, Dim> momentMixed;
+
+  [[gnu::always_inline]] Sums() {}
 
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
@@ -155,11 +183,15 @@ struct Sums {
 /// What particle i gets from j and j loses.
 template <class Real, int Dim>
 struct Exchange {
+  Real power{0};
   VectorSum<Real, Dim> force;
   VectorSum<Real, Dim> impulse;
 
+  [[gnu::always_inline]] Exchange() {}
+
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEachMember(Visit&& visit) {
+    visit(FieldTag<FieldId::power>{}, &Exchange::power);
     visit(FieldTag<FieldId::force>{}, &Exchange::force);
     visit(FieldTag<FieldId::impulse>{}, &Exchange::impulse);
   }
@@ -190,12 +222,21 @@ struct Pair {
   [[gnu::always_inline]] Real velocityDotGradW() const { return F * velocityDotR; }
   /// grad_i W_ij [m^-(d+1)]
   [[gnu::always_inline]] GradW gradW() const { return {}; }
+  /// r_ij, as a factor
+  [[gnu::always_inline]] AlongR alongR() const { return {}; }
 };
 
 /// Whether a term exchanges something between the two, or adds to one of them.
 template <class Term, class Real, int Dim>
 concept Exchanges = requires(const Term& term, const Pair<Real, Dim>& ij, Exchange<Real, Dim>& e) {
   term(ij, e);
+};
+
+/// Whether a term exchanges something and gives something to each alike.
+template <class Term, class Real, int Dim>
+concept ExchangesAndGives = requires(const Term& term, const Pair<Real, Dim>& ij,
+                                     Exchange<Real, Dim>& e, Sums<Real, Dim>& each) {
+  term(ij, e, each);
 };
 
 }  // namespace plenum

@@ -199,10 +199,13 @@ class TileLoop {
     const Pair_ ij{i.view, j.view, r, distanceSquared, vDotR, h, W, F, ofI, ofJ};
     const Pair_ ji{j.view, i.view, -r, distanceSquared, vDotR, h, W, F, ofJ, ofI};
     Exchange<Real, Dim> exchange;
-    Sums<Real, Dim> toI, toJ;
+    Sums<Real, Dim> toI, toJ, toEach;
     const auto evaluate = [&](const auto& term) __attribute__((always_inline)) {
-      if constexpr (Exchanges<std::remove_cvref_t<decltype(term)>, Real, Dim>) {
+      using Term = std::remove_cvref_t<decltype(term)>;
+      if constexpr (Exchanges<Term, Real, Dim>) {
         term(ij, exchange);
+      } else if constexpr (ExchangesAndGives<Term, Real, Dim>) {
+        term(ij, exchange, toEach);
       } else {
         term(ij, toI);
         if constexpr (toNeighbours) term(ji, toJ);
@@ -214,6 +217,12 @@ class TileLoop {
           totalsI.of[k] += x;
           if constexpr (toNeighbours) totalsJ.of[k] -= x;
         });
+    if constexpr ((ExchangesAndGives<Terms, Real, Dim> || ...))
+      add(
+          toEach, F, r, [&](int k, Real x) __attribute__((always_inline)) {
+            totalsI.of[k] += x;
+            if constexpr (toNeighbours) totalsJ.of[k] += x;
+          });
     add(
         toI, F, r, [&](int k, Real x) __attribute__((always_inline)) { totalsI.of[k] += x; });
     if constexpr (toNeighbours)
@@ -229,7 +238,7 @@ class TileLoop {
       if constexpr (P::writes.has(tag)) {
         constexpr int first = offsetOf<Dim>(P::writes, tag);
         if constexpr (infoOf(tag).rank == Rank::vector) {
-          const Real factor = (sums.*member).alongGradW * F;
+          const Real factor = (sums.*member).alongGradW * F + (sums.*member).alongR;
           const Vec<Dim, Real>& rest = (sums.*member).rest;
           put(first, factor * r[0] + rest[0]);
           if constexpr (Dim > 1) put(first + 1, factor * r[1] + rest[1]);

@@ -122,6 +122,29 @@ double Gas<Dim>::takeRates(Engine<Dim>& engine, ParticleSet<Dim>& particles) con
   return std::max(largestSignal, std::sqrt(std::sqrt(largestForce)));
 }
 
+/// de_i/dt = power/m, and in the grad_h form the work of PressureGradH beside it,
+/// p_i/(Omega_i rho_i^2) sum_j m_j v_ij . grad_i W_ij(h_i).
+template <int Dim>
+void Gas<Dim>::takeHeating(Engine<Dim>& engine, ParticleSet<Dim>& particles) const {
+  const auto integrating = engine.stopwatch().lap(Part::integrate);
+  const auto heating = particles[field::internalEnergyRate];
+  const auto mass = std::as_const(particles)[field::mass];
+  const auto density = std::as_const(particles)[field::density];
+  const auto omegaDensity = std::as_const(particles)[field::omegaDensity];
+  const auto pressure = std::as_const(particles)[field::pressure];
+  std::span<const double> viscous;
+  if (particles.has(field::viscousPressure))
+    viscous = std::as_const(particles)[field::viscousPressure];
+  const bool isGradH = settings_.hasForm("grad_h");
+  engine.forEachSum(
+      Group::fluids,
+      [&](std::size_t i, double power, double rate) {
+        const double p = pressure[i] + (viscous.empty() ? 0 : viscous[i]);
+        heating[i] = power / mass[i] + (isGradH ? p / (density[i] * omegaDensity[i]) * rate : 0);
+      },
+      field::power, field::densityRate);
+}
+
 template <int Dim>
 double largestSignalSpeed(const ParticleSet<Dim>& particles, const SolverSettings& settings,
                           double soundSpeed) {

@@ -38,6 +38,9 @@ class Gas {
   /// (c (1 + 0.6 alpha) + (1 + 0.6 beta) h |div v|)/h, after Monaghan 1992, and sqrt(|a|/h).
   double takeRates(Engine<Dim>& engine, ParticleSet<Dim>& particles) const;
 
+  /// Ideal gas: field::internalEnergyRate by the forces that were summed.
+  void takeHeating(Engine<Dim>& engine, ParticleSet<Dim>& particles) const;
+
  private:
   SolverSettings settings_;
   SmoothingLengths<Dim> lengths_;

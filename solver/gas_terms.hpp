@@ -71,7 +71,8 @@ struct VelocityCurl {
 };
 
 /// m_i dv_i/dt = -sum_j m_i m_j (P_i grad_i W_ij(h_i) + P_j grad_i W_ij(h_j))   [N], P =
-/// p/(Omega rho^2). Springel & Hernquist 2002 (18).
+/// p/(Omega rho^2). Springel & Hernquist 2002 (18). Its partner, de_i/dt = P_i sum_j m_j v_ij .
+/// grad_i W_ij(h_i), is P_i times DensityRate: no sum of its own.
 struct PressureGradH {
   static constexpr FieldSet reads{field::mass, field::pressureOverDensitySquared};
   static constexpr FieldSet writes{field::force};
@@ -82,19 +83,7 @@ struct PressureGradH {
     i.force -= (ij.i.mass * ij.j.mass *
                 (ij.i.pressureOverDensitySquared * ij.ofI.F +
                  ij.j.pressureOverDensitySquared * ij.ofJ.F)) *
-               ij.r;
-  }
-};
-
-/// m_i de_i/dt = sum_j m_i m_j P_i v_ij . grad_i W_ij(h_i)   [W]; the partner of PressureGradH.
-struct PressureWorkGradH {
-  static constexpr FieldSet reads{field::mass, field::velocity, field::pressureOverDensitySquared};
-  static constexpr FieldSet writes{field::power};
-  static constexpr bool usesKernel = true;
-
-  template <class Real, int Dim>
-  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    i.power += ij.i.mass * ij.j.mass * ij.i.pressureOverDensitySquared * ij.ofI.F * ij.velocityDotR;
+               ij.alongR();
   }
 };
 
@@ -111,40 +100,37 @@ struct PressureWork {
   }
 };
 
-/// m_i de_i/dt = 1/2 sum_j m_i m_j Pi_ij v_ij . grad_i W_ij   [W]: what MonaghanViscosityOfPhases
-/// takes from the motion. Monaghan 1992.
-struct ViscousHeating : MonaghanViscosityOfPhases {
-  static constexpr FieldSet writes{field::power};
+/// What a viscosity of weight m_i m_j Pi_ij takes from the motion heats both particles alike:
+/// m_i de_i/dt = 1/2 sum_j m_i m_j Pi_ij v_ij . grad_i W_ij   [W]. Monaghan 1992.
+template <class Real, int Dim>
+[[gnu::always_inline]] inline void addHeatingViscosity(Real weight, const Pair<Real, Dim>& ij,
+                                                       Exchange<Real, Dim>& i,
+                                                       Sums<Real, Dim>& each) {
+  i.force -= weight * ij.gradW();
+  each.power += Real(0.5) * weight * ij.velocityDotGradW();
+}
+
+/// MonaghanViscosityOfPhases, and its heat.
+struct HeatingViscosity : MonaghanViscosityOfPhases {
+  static constexpr FieldSet writes{field::force, field::power};
 
   template <class Real, int Dim>
-  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    i.power += Real(0.5) * weight(ij) * ij.velocityDotGradW();
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i,
+                                         Sums<Real, Dim>& each) const {
+    addHeatingViscosity(weight(ij), ij, i, each);
   }
 };
 
-/// Monaghan's viscosity times the mean of the two particles' limiters, Balsara 1995,
+/// The same times the mean of the two particles' limiters, Balsara 1995,
 /// doi 10.1016/S0021-9991(95)90221-X.
-struct BalsaraViscosity : MonaghanViscosityOfPhases {
-  static constexpr FieldSet reads =
-      MonaghanViscosityOfPhases::reads | FieldSet{field::viscosityLimiter};
+struct BalsaraViscosity : HeatingViscosity {
+  static constexpr FieldSet reads = HeatingViscosity::reads | FieldSet{field::viscosityLimiter};
 
   template <class Real, int Dim>
-  [[gnu::always_inline]] Real limitedWeight(const Pair<Real, Dim>& ij) const {
-    return Real(0.5) * (ij.i.viscosityLimiter + ij.j.viscosityLimiter) * weight(ij);
-  }
-  template <class Real, int Dim>
-  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
-    i.force -= limitedWeight(ij) * ij.gradW();
-  }
-};
-
-/// Its heat.
-struct BalsaraHeating : BalsaraViscosity {
-  static constexpr FieldSet writes{field::power};
-
-  template <class Real, int Dim>
-  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
-    i.power += Real(0.5) * limitedWeight(ij) * ij.velocityDotGradW();
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i,
+                                         Sums<Real, Dim>& each) const {
+    const Real limiter = Real(0.5) * (ij.i.viscosityLimiter + ij.j.viscosityLimiter);
+    addHeatingViscosity(limiter * weight(ij), ij, i, each);
   }
 };
 
@@ -160,7 +146,7 @@ struct Conductivity {
   double alpha = 0;
 
   template <class Real, int Dim>
-  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Exchange<Real, Dim>& i) const {
     const Real specificVolumes = ij.i.specificVolume + ij.j.specificVolume;
     const Real jump = ij.i.pressure - ij.j.pressure;
     const Real inverseMean = Real(2) * ij.i.specificVolume * ij.j.specificVolume / specificVolumes;

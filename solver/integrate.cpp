@@ -130,41 +130,16 @@ void kickByAccelerations(Engine<Dim>& engine, ParticleSet<Dim>& particles, doubl
 template <int Dim>
 Advanced heat(Engine<Dim>& engine, ParticleSet<Dim>& particles, double dt) {
   const auto integrating = engine.stopwatch().lap(Part::integrate);
-  const std::span<const double> mass = std::as_const(particles)[field::mass];
-  Advanced result;
-  engine.withSums(field::power, [&](const auto& powers) {
-    result = advance(
-        particles[field::internalEnergy].first(particles.nFluid()), powers, false,
-        [&](std::size_t i, double e, double power) { return e + dt * power / mass[i]; },
-        [&](std::size_t i, double e, double power) { return e - dt * power / mass[i]; },
-        isPositive);
-  });
-  return result;
-}
-
-template <int Dim>
-void storeHeating(Engine<Dim>& engine, ParticleSet<Dim>& particles) {
-  const auto integrating = engine.stopwatch().lap(Part::integrate);
-  const std::span<const double> mass = std::as_const(particles)[field::mass];
-  const auto rate = particles[field::internalEnergyRate];
-  engine.forEachSum(
-      Group::fluids, [&](std::size_t i, double power) { rate[i] = power / mass[i]; }, field::power);
-}
-
-template <int Dim>
-Advanced heatByRates(Engine<Dim>& engine, ParticleSet<Dim>& particles, double dt) {
-  const auto integrating = engine.stopwatch().lap(Part::integrate);
   const auto energy = particles[field::internalEnergy];
   const auto rate = std::as_const(particles)[field::internalEnergyRate];
-  std::size_t bad = rate.size();
-#pragma omp parallel for schedule(static) reduction(min : bad) if (rate.size() >= worthThreads)
-  for (std::size_t i = 0; i < rate.size(); ++i) {
-    energy[i] += dt * rate[i];
-    if (!isPositive(energy[i])) bad = std::min(bad, i);
-  }
-  if (bad == rate.size()) return {};
-  forEachIndex(rate.size(), [&](std::size_t i) { energy[i] -= dt * rate[i]; });
-  return {0, bad};
+  const std::size_t none = rate.size();
+  std::size_t bad = none;
+#pragma omp parallel for schedule(static) reduction(min : bad) if (none >= worthThreads)
+  for (std::size_t i = 0; i < none; ++i)
+    if (!isPositive(energy[i] + dt * rate[i])) bad = std::min(bad, i);
+  if (bad != none) return {0, bad};
+  forEachIndex(none, [&](std::size_t i) { energy[i] += dt * rate[i]; });
+  return {};
 }
 
 template <int Dim>
@@ -213,8 +188,6 @@ double largestNorm(std::span<const Vec<Dim>> vectors) {
   template Advanced storeAccelerations(Engine<Dim>&, ParticleSet<Dim>&, const Vec<Dim>&); \
   template void kickByAccelerations(Engine<Dim>&, ParticleSet<Dim>&, double);             \
   template Advanced heat(Engine<Dim>&, ParticleSet<Dim>&, double);                        \
-  template void storeHeating(Engine<Dim>&, ParticleSet<Dim>&);                            \
-  template Advanced heatByRates(Engine<Dim>&, ParticleSet<Dim>&, double);                 \
   template Advanced takeImpulses(Engine<Dim>&, ParticleSet<Dim>&);                        \
   template void drift(Engine<Dim>&, const Box<Dim>&, ParticleSet<Dim>&, double, double);  \
   template void wrapPositions(const Box<Dim>&, ParticleSet<Dim>&);                        \

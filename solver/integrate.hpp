@@ -33,14 +33,9 @@ Advanced storeAccelerations(Engine<Dim>& engine, ParticleSet<Dim>& particles,
 template <int Dim>
 void kickByAccelerations(Engine<Dim>& engine, ParticleSet<Dim>& particles, double dt);
 
-/// Of the specific internal energy: e <- e + dt power/m, by the powers that were summed;
-/// field::internalEnergyRate <- power/m; e <- e + dt of it. A sound energy is positive.
+/// e <- e + dt de/dt, by field::internalEnergyRate. A sound energy is positive.
 template <int Dim>
 Advanced heat(Engine<Dim>& engine, ParticleSet<Dim>& particles, double dt);
-template <int Dim>
-void storeHeating(Engine<Dim>& engine, ParticleSet<Dim>& particles);
-template <int Dim>
-Advanced heatByRates(Engine<Dim>& engine, ParticleSet<Dim>& particles, double dt);
 
 /// v <- v + impulse/m.
 template <int Dim>

@@ -20,9 +20,8 @@ using AllTerms =
                term::MonaghanViscosityOfPhases, term::LaminarViscosity,
                term::LaminarViscosityOfPhases, term::FluidAtWall, term::VelocityAtWall,
                term::Concentration, term::Collision, term::OmegaDensity, term::DensityMoment,
-               term::DensityRate, term::VelocityCurl, term::PressureGradH, term::PressureWorkGradH,
-               term::PressureWork, term::ViscousHeating, term::BalsaraViscosity,
-               term::BalsaraHeating, term::Conductivity>;
+               term::DensityRate, term::VelocityCurl, term::PressureGradH, term::PressureWork,
+               term::HeatingViscosity, term::BalsaraViscosity, term::Conductivity>;
 
 template <class... Terms>
 struct TermList {
@@ -73,14 +72,10 @@ constexpr void forEachTermList(Visit&& visit) {
   visit(OwnLengths<DensityRate, VelocityCurl>{}, generic);
   visit(OwnLengths<PressureDensitySquared, MonaghanViscosityOfPhases, DensityRate>{}, generic);
   visit(OwnLengths<PressureGradH, MonaghanViscosityOfPhases, DensityRate>{}, generic);
-  visit(OwnLengths<PressureGradH, PressureWorkGradH, MonaghanViscosityOfPhases, ViscousHeating,
+  visit(OwnLengths<PressureGradH, HeatingViscosity, DensityRate>{}, tuned);
+  visit(OwnLengths<PressureGradH, BalsaraViscosity, Conductivity, DensityRate>{}, generic);
+  visit(OwnLengths<PressureDensitySquared, PressureWork, BalsaraViscosity, Conductivity,
                    DensityRate>{},
-        tuned);
-  visit(OwnLengths<PressureGradH, PressureWorkGradH, BalsaraViscosity, BalsaraHeating, Conductivity,
-                   DensityRate>{},
-        generic);
-  visit(OwnLengths<PressureDensitySquared, PressureWork, BalsaraViscosity, BalsaraHeating,
-                   Conductivity, DensityRate>{},
         generic);
   visit(TermList<Concentration>{}, generic);
   visit(TermList<Collision>{}, generic);

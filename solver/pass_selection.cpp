@@ -107,9 +107,8 @@ class PassMaker {
     const term::MonaghanParameters monaghan = artificialViscosity();
     set<term::MonaghanViscosity>({monaghan, c});
     set<term::MonaghanViscosityOfPhases>({monaghan});
-    set<term::ViscousHeating>({{monaghan}});
-    set<term::BalsaraViscosity>({{monaghan}});
-    set<term::BalsaraHeating>({{{monaghan}}});
+    set<term::HeatingViscosity>({{monaghan}});
+    set<term::BalsaraViscosity>({{{monaghan}}});
     if (settings_.conductivity) set<term::Conductivity>({settings_.conductivity->alpha});
     if (settings_.laminar()) set<term::LaminarViscosity>({phases_[0].dynamicViscosity, Dim});
     if (settings_.densityDiffusion)
@@ -149,13 +148,11 @@ class PassMaker {
                       : pass(OwnLengths<PressureDensitySquared, MonaghanViscosityOfPhases,
                                         DensityRate>{});
     if (!hasGradH)
-      return pass(OwnLengths<PressureDensitySquared, PressureWork, BalsaraViscosity, BalsaraHeating,
-                             Conductivity, DensityRate>{});
+      return pass(OwnLengths<PressureDensitySquared, PressureWork, BalsaraViscosity, Conductivity,
+                             DensityRate>{});
     if (settings_.usesBalsara() || settings_.conductivity)
-      return pass(OwnLengths<PressureGradH, PressureWorkGradH, BalsaraViscosity, BalsaraHeating,
-                             Conductivity, DensityRate>{});
-    return pass(OwnLengths<PressureGradH, PressureWorkGradH, MonaghanViscosityOfPhases,
-                           ViscousHeating, DensityRate>{});
+      return pass(OwnLengths<PressureGradH, BalsaraViscosity, Conductivity, DensityRate>{});
+    return pass(OwnLengths<PressureGradH, HeatingViscosity, DensityRate>{});
   }
 
   template <class Pressure>

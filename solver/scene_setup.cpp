@@ -45,8 +45,7 @@ FieldSet fieldsOf(const Scene<Dim>& scene, const SolverSettings& settings,
   if (settings.hasOwnLengths())
     needed |=
         {field::smoothingLength, field::omegaDensity, field::velocityDivergence, field::soundSpeed};
-  if (settings.isIdealGas()) needed |= {field::internalEnergy};
-  if (settings.isIdealGas() && settings.kicksTwice()) needed |= {field::internalEnergyRate};
+  if (settings.isIdealGas()) needed |= {field::internalEnergy, field::internalEnergyRate};
   if (settings.bulk() || settings.neumannRichtmyer()) needed |= {field::viscousPressure};
   for (const PairPass<Dim>* pass : passes.all())
     if (*pass) needed |= storedFor(pass->reads);

@@ -234,7 +234,9 @@ void Simulation<Dim>::kickByForces(double dt) {
   if (bad) fail("the force is not finite", *bad);
   record_.largestAcceleration = change / dt;
   wallLoads_.act(dt);
-  if (settings_.isIdealGas()) requireEnergy(heat(engine_, scene_.particles, dt));
+  if (!settings_.isIdealGas()) return;
+  gas_->takeHeating(engine_, scene_.particles);
+  requireEnergy(heat(engine_, scene_.particles, dt));
 }
 
 template <int Dim>
@@ -248,7 +250,7 @@ void Simulation<Dim>::storeAcceleration() {
   if (bad) fail("the force is not finite", *bad);
   record_.largestAcceleration =
       largestNorm<Dim>(std::as_const(scene_.particles)[field::acceleration]);
-  if (settings_.isIdealGas()) storeHeating(engine_, scene_.particles);
+  if (settings_.isIdealGas()) gas_->takeHeating(engine_, scene_.particles);
 }
 
 template <int Dim>
@@ -261,7 +263,7 @@ void Simulation<Dim>::kickByAcceleration(double dt) {
 template <int Dim>
 void Simulation<Dim>::predictByAcceleration(double dt) {
   kickByAccelerations(engine_, scene_.particles, dt);
-  if (settings_.isIdealGas()) requireEnergy(heatByRates(engine_, scene_.particles, dt));
+  if (settings_.isIdealGas()) requireEnergy(heat(engine_, scene_.particles, dt));
 }
 
 template <int Dim>

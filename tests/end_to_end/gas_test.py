@@ -2,14 +2,12 @@
 """Gases against exact solutions: errors by viscosity, by smoothing length and by number of
 particles. Figures that others measured stand beside ours."""
 
-import json
 import math
-import re
 import subprocess
 import unittest
 
 import figures
-from harness import CASES, IC, SPH, Programs
+from harness import Programs
 
 VISCOSITIES = {
     "none": None,
@@ -28,26 +26,6 @@ SHEET = {"bulk": (.0059, .0043, .042, .218), "von Neumann-Richtmyer": (.0097, .0
 
 
 class Gas(Programs):
-    def run_case(self, name, *sets, without=()):
-        """(summary, columns of history.csv) of a case with some keys set and some lines left out."""
-        with open(f"{CASES}/{name}.toml") as file:
-            text = file.read()
-        for key in without:
-            text, n = re.subn(rf"^{key}\s.*\n", "", text, flags=re.M)
-            self.assertEqual(n, 1, key)
-        case = self.write(f"{name}.toml", text)
-        self.ok(IC, "generate", case, "-q", "--no-report", "-o", "set.hdf",
-                *(word for value in sets for word in ("--set", value)))
-        self.ok(SPH, "run", "set.hdf", "-q", "--anew", "-o", "out")
-        with open(self.path("out", "summary.json")) as file:
-            summary = json.load(file)
-        with open(self.path("out", "history.csv")) as file:
-            head, *rows = (line.strip().split(",") for line in file)
-        heads = [cell.split(" [")[0] for cell in head]
-        columns = {name: [float(row[k]) if row[k] else math.nan for row in rows]
-                   for k, name in enumerate(heads)}
-        return summary, columns
-
     def test_isothermal_shocks_by_viscosity(self):
         rows = [("viscosity", "tube: L1 rho", "sheet", "L1 v", "noise", "sheet", "width/h",
                  "streams: L1 rho", "sheet", "noise", "sheet")]

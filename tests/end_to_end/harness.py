@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the programs in a temporary folder of their own."""
 
+import json
+import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -12,6 +15,8 @@ IC, SPH, CASES = (os.path.abspath(sys.argv.pop(1)) for _ in range(3))
 
 
 class Programs(unittest.TestCase):
+    patience = 300  # seconds that a program may take
+
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="plenum")
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
@@ -26,7 +31,8 @@ class Programs(unittest.TestCase):
 
     def start(self, *command):
         """(exit code, stdout, stderr)"""
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=300)
+        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True,
+                              timeout=self.patience)
         return done.returncode, done.stdout, done.stderr
 
     def ok(self, *command):
@@ -44,3 +50,23 @@ class Programs(unittest.TestCase):
         for text in expected:
             self.assertIn(text, lines[0])
         return lines[0]
+
+    def run_case(self, name, *sets, without=()):
+        """(summary, columns of history.csv) of a case with some keys set and some lines left out."""
+        with open(f"{CASES}/{name}.toml") as file:
+            text = file.read()
+        for key in without:
+            text, n = re.subn(rf"^{key}\s.*\n", "", text, flags=re.M)
+            self.assertEqual(n, 1, key)
+        case = self.write(f"{name}.toml", text)
+        self.ok(IC, "generate", case, "-q", "--no-report", "-o", "set.hdf",
+                *(word for value in sets for word in ("--set", value)))
+        self.ok(SPH, "run", "set.hdf", "-q", "--anew", "-o", "out")
+        with open(self.path("out", "summary.json")) as file:
+            summary = json.load(file)
+        with open(self.path("out", "history.csv")) as file:
+            head, *rows = (line.strip().split(",") for line in file)
+        heads = [cell.split(" [")[0] for cell in head]
+        columns = {name: [float(row[k]) if row[k] else math.nan for row in rows]
+                   for k, name in enumerate(heads)}
+        return summary, columns

@@ -144,8 +144,11 @@ PairSums sumOfAllPairs(const Pass<Profile, Terms...>& pass, const ParticleSet<Di
       Sums<Real, Dim> toI;
       Exchange<Real, Dim> exchange;
       const auto evaluate = [&](const auto& term) {
-        if constexpr (Exchanges<std::remove_cvref_t<decltype(term)>, Real, Dim>)
+        using Term = std::remove_cvref_t<decltype(term)>;
+        if constexpr (Exchanges<Term, Real, Dim>)
           term(ij, exchange);
+        else if constexpr (ExchangesAndGives<Term, Real, Dim>)
+          term(ij, exchange, toI);
         else
           term(ij, toI);
       };
@@ -160,7 +163,7 @@ PairSums sumOfAllPairs(const Pass<Profile, Terms...>& pass, const ParticleSet<Di
           if constexpr (writes.has(tag)) {
             constexpr int first = offsetOf<Dim>(writes, tag);
             if constexpr (infoOf(tag).rank == Rank::vector) {
-              const Vec<Dim, Real> total = (pair.*member).total(F * r);
+              const Vec<Dim, Real> total = (pair.*member).total(F, r);
               for (int a = 0; a < Dim; ++a) add(first + a, total[a]);
             } else {
               add(first, pair.*member);

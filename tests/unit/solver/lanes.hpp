@@ -65,21 +65,33 @@ class Lanes {
             is[k],   js[k], rs[k], normSquared(rs[k]), dot(is[k].velocity - js[k].velocity, rs[k]),
             T(0.3f), W[k],  F[k],  {W[k], F[k]},       {W[k], F[k]}};
         if constexpr (Exchanges<Term, P, 3>)
-          compare<Exchange<P, 3>, Exchange<T, 3>>(term, packs, one, k, tolerance);
+          compare([&](const auto& pair, auto& exchange, auto&) { term(pair, exchange); }, packs,
+                  one, k, tolerance);
+        else if constexpr (ExchangesAndGives<Term, P, 3>)
+          compare(term, packs, one, k, tolerance);
         else
-          compare<Sums<P, 3>, Sums<T, 3>>(term, packs, one, k, tolerance);
+          compare([&](const auto& pair, auto&, auto& sums) { term(pair, sums); }, packs, one, k,
+                  tolerance);
       }
     }
   }
 
  private:
-  template <class OfPacks, class OfOne, class Term>
+  template <class Term>
   static void compare(const Term& term, const Pair<P, 3>& packs, const Pair<T, 3>& one, int k,
                       const Tolerance& tolerance) {
-    OfPacks sums;
-    OfOne expected;
-    term(packs, sums);
-    term(one, expected);
+    Exchange<P, 3> exchange;
+    Exchange<T, 3> expectedExchange;
+    Sums<P, 3> sums;
+    Sums<T, 3> expectedSums;
+    term(packs, exchange, sums);
+    term(one, expectedExchange, expectedSums);
+    expectSameMembers(exchange, expectedExchange, k, tolerance);
+    expectSameMembers(sums, expectedSums, k, tolerance);
+  }
+  template <class OfPacks, class OfOne>
+  static void expectSameMembers(const OfPacks& sums, const OfOne& expected, int k,
+                                const Tolerance& tolerance) {
     OfPacks::forEachMember([&](auto tag, auto member) {
       OfOne::forEachMember([&](auto other, auto expectedMember) {
         if constexpr (tag() == other())
@@ -105,6 +117,7 @@ class Lanes {
   static void expectSame(const VectorSum<P, 3>& pack, const VectorSum<T, 3>& one, int k,
                          const Tolerance& tolerance) {
     expectSame(pack.alongGradW, one.alongGradW, k, tolerance);
+    expectSame(pack.alongR, one.alongR, k, tolerance);
     for (int a = 0; a < 3; ++a) expectSame(pack.rest[a], one.rest[a], k, tolerance);
   }
 };

@@ -32,9 +32,8 @@ PassChoice choiceOf(const std::string& kernel, int termList) {
   choice.smoothingLength = 0.15;
   std::get<term::MonaghanViscosity>(choice.terms) = {{0.8, 1.5, 0.01}, 10};
   std::get<term::MonaghanViscosityOfPhases>(choice.terms) = {{0.8, 1.5, 0.1}};
-  std::get<term::ViscousHeating>(choice.terms) = {{{0.8, 1.5, 0.1}}};
-  std::get<term::BalsaraViscosity>(choice.terms) = {{{0.8, 1.5, 0.1}}};
-  std::get<term::BalsaraHeating>(choice.terms) = {{{{0.8, 1.5, 0.1}}}};
+  std::get<term::HeatingViscosity>(choice.terms) = {{{0.8, 1.5, 0.1}}};
+  std::get<term::BalsaraViscosity>(choice.terms) = {{{{0.8, 1.5, 0.1}}}};
   std::get<term::Conductivity>(choice.terms) = {0.7};
   std::get<term::LaminarViscosity>(choice.terms) = {0.3, 3};
   std::get<term::DensityDiffusion>(choice.terms) = {0.1, 10};

@@ -146,7 +146,7 @@ TEST(Terms, ConcentrationPushesHarderFromNearNeighbours) {
   const Two two = approaching();
   const double atSpacing = K::W(0.25, h), ratio = two.W() / atSpacing;
   const Sums<double, 2> sums = sumsOf(term::Concentration{atSpacing, 2}, two);
-  const Vec<2> gradient = sums.kernelGradient.total(two.F() * two.r);
+  const Vec<2> gradient = sums.kernelGradient.total(two.F(), two.r);
   const double expected = 3.0 / 0.9 * (1 + 0.2 * std::pow(ratio, 4)) * two.F() * two.r[0];
   EXPECT_NEAR(gradient[0], expected, 1e-14 * std::abs(expected));  // a dozen roundings
   EXPECT_DOUBLE_EQ(sums.positionDivergence, -3.0 / 0.9 * two.F() * normSquared(two.r));

@@ -67,11 +67,11 @@ Exchange<double, 2> exchangeOf(const Term& term, const Two& two) {
 /// What particle i gets a unit of mass.
 template <class Term>
 Vec<2> accelerationOf(const Term& term, const Two& two) {
-  return 1 / two.i.mass * exchangeOf(term, two).force.total(two.F() * two.r);
+  return 1 / two.i.mass * exchangeOf(term, two).force.total(two.F(), two.r);
 }
 
 inline Vec<2> velocityChangeOf(const term::Collision& collision, const Two& two) {
-  return 1 / two.i.mass * exchangeOf(collision, two).impulse.total(two.F() * two.r);
+  return 1 / two.i.mass * exchangeOf(collision, two).impulse.total(two.F(), two.r);
 }
 
 }  // namespace plenum::test
