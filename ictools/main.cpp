@@ -122,7 +122,17 @@ int main(int argc, char** argv) {
   preview->add_option("-o,--output", options.output, "picture; absent: FILE's name + .png");
   preview->add_option("--color", options.color,
                       "field that colours the particles, or type: fluids and walls apart");
-  preview->add_option("--slice", options.slice, "cut through a 3-D set: y=0.5");
+  CLI::Option* slice =
+      preview->add_option("--slice", options.slice, "cut through a 3-D set: y=0.5");
+  preview
+      ->add_option("--column", options.column,
+                   "look through a 3-D set along x, y or z: column density, or the mean of another "
+                   "field")
+      ->check(CLI::IsMember({"x", "y", "z"}))
+      ->excludes(slice);
+  preview->add_flag("--smooth", options.smooth,
+                    "a 2-D set or a slice smoothed by the particles' kernels instead of disks");
+  preview->add_option("--range", options.range, "of the colours: LOWEST HIGHEST")->expected(2);
   preview->add_option("--width", options.width, "of the picture, in pixels")
       ->check(CLI::Range(200, 8000));
   addSet(preview);

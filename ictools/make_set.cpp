@@ -71,6 +71,26 @@ Slice sliceOf(const std::string& text, int dimension) {
   return {static_cast<int>(axis), position, 0};
 }
 
+/// What --column, --smooth and --range ask of a picture.
+template <class PictureOptions>
+void takeMap(const Options& options, int dimension, PictureOptions& picture) {
+  if (!options.column.empty()) {
+    if (dimension != 3)
+      throw InputError(
+          fmt::format("--column {}: the set has {} dimensions, only 3-D sets have columns",
+                      options.column, dimension));
+    picture.column = options.column[0] - 'x';
+  }
+  if (options.smooth && (dimension == 1 || (dimension == 3 && !picture.slice && !picture.column)))
+    throw InputError("--smooth: is for 2-D sets and for --slice and --column of 3-D ones");
+  picture.smooth = options.smooth;
+  if (options.range.empty()) return;
+  if (!(options.range[1] > options.range[0]))
+    throw InputError(fmt::format("--range {:g} {:g}: the second must be larger", options.range[0],
+                                 options.range[1]));
+  picture.range = std::pair{options.range[0], options.range[1]};
+}
+
 /// The file to write: as asked, or the input's name with another ending in the current folder.
 /// Throws InputError rather than replace the input.
 fs::path outputPath(const Options& options, const char* ending, const char* suffix = "") {
@@ -193,6 +213,7 @@ int runPreview(const Options& options) {
     PictureOptions<Dim> picture = pictureOptions(scene.info, options.color);
     picture.width = options.width;
     if (!options.slice.empty()) picture.slice = sliceOf(options.slice, Dim);
+    takeMap(options, Dim, picture);
     drawParticles(path, scene.particles, picture);
     if (!options.quiet) std::cout << path.string() << '\n';
   };

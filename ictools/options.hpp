@@ -18,6 +18,9 @@ struct Options {
   bool noReport = false;
   std::string color = "velocity";  // these three of `preview`
   std::string slice;
+  std::string column;
+  bool smooth = false;
+  std::vector<double> range;
   int width = 1200;            // [px]
   std::string kernel;          // of `report`
   double smoothingLength = 0;  // of `report` [d_ref]

@@ -3,6 +3,7 @@
 
 #include "particles/errors.hpp"
 #include "particles/picture_frame.hpp"
+#include "particles/picture_map.hpp"
 #include "particles/picture_projection.hpp"
 #include "particles/picture_values.hpp"
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -189,6 +191,86 @@ void drawPlane(const std::filesystem::path& path, const ParticleSet<Dim>& partic
   frame.canvas().save(path);
 }
 
+/// The number of a map at a place in its pixels, between the centres of four.
+double interpolated(const PixelMap& map, double x, double y) {
+  const auto clamped = [](double at, int n) { return std::clamp(at - 0.5, 0.0, n - 1.0); };
+  const double u = clamped(x, map.width), v = clamped(y, map.height);
+  const int column = std::min(static_cast<int>(u), std::max(0, map.width - 2));
+  const int row = std::min(static_cast<int>(v), std::max(0, map.height - 2));
+  const int right = std::min(column + 1, map.width - 1), above = std::min(row + 1, map.height - 1);
+  const double a = u - column, b = v - row;
+  return (1 - b) * ((1 - a) * map.at(column, row) + a * map.at(right, row)) +
+         b * ((1 - a) * map.at(column, above) + a * map.at(right, above));
+}
+
+void paint(PictureFrame& frame, const PixelMap& map, const PlaneView& view,
+           const ColourScale& scale) {
+  int stride = 0;
+  std::uint32_t* pixels = frame.canvas().pixels(stride);
+  const PixelBox& plot = frame.plot();
+  const double perPixel = map.width / view.width() / frame.pixelsPerUnit();
+  for (int y = static_cast<int>(plot.top); y < static_cast<int>(plot.bottom); ++y)
+    for (int x = static_cast<int>(plot.left); x < static_cast<int>(plot.right); ++x) {
+      const double u = (x + 0.5 - frame.toX(view.left)) * perPixel;
+      const double v = (frame.toY(view.bottom) - y - 0.5) * perPixel;
+      if (u < 0 || v < 0 || u > map.width || v > map.height) continue;
+      const double value = interpolated(map, u, v);
+      if (std::isnan(value)) continue;
+      const Colour colour = scale(value);
+      pixels[static_cast<std::ptrdiff_t>(y) * stride + x] =
+          0xff000000u | std::uint32_t{colour.red} << 16 | std::uint32_t{colour.green} << 8 |
+          colour.blue;
+    }
+  frame.canvas().pixelsDone();
+}
+
+/// Fluids smoothed over a plane, or along columns.
+template <int Dim>
+void drawMap(const std::filesystem::path& path, const ParticleSet<Dim>& particles,
+             const PictureOptions<Dim>& options, int horizontal, int vertical) {
+  PictureValues values = pictureValues(particles, options.field, false);
+  if (values.isCategory || values.fluid.empty())
+    throw InputError(
+        fmt::format("{}: has no numbers that can be smoothed; draw particles, or "
+                    "choose another field",
+                    options.field));
+  const Box<Dim> box =
+      options.view ? viewOf(particles, options, 0) : defaultView(particles, options.container);
+  MapPlane<Dim> plane{
+      {box.lower[horizontal], box.upper[horizontal], box.lower[vertical], box.upper[vertical]},
+      options.width,
+      horizontal,
+      vertical};
+  if (options.slice) plane.cut = options.slice->position;
+  const MapKernel<Dim> kernel{KernelId::named(options.kernel), options.smoothingLength,
+                              options.domain};
+  const bool isDensity = options.field == "density";
+  const PixelMap map = isDensity ? densityMap(particles, plane, kernel)
+                                 : meanMap(particles, values.fluid, plane, kernel);
+  FrameText text = frameText(particles, options, values, 0);
+  text.showsWalls = false;
+  if (options.column) {
+    text.info += fmt::format("    along {}", "xyz"[*options.column]);
+    text.barName = isDensity ? "column density" : "mean " + values.name;
+    if (isDensity) text.barUnit = "kg/m²";
+  } else if (options.slice) {
+    text.info +=
+        fmt::format("    at {} = {:.6g} m", "xyz"[options.slice->axis], options.slice->position);
+  }
+  text.xName = std::string(1, "xyz"[horizontal]);
+  text.yName = std::string(1, "xyz"[vertical]);
+  values.walls.clear();
+  values.fluid.clear();
+  std::ranges::copy_if(map.values, std::back_inserter(values.fluid),
+                       [](double value) { return !std::isnan(value); });
+  ColourScale scale = scaleFor(values);
+  if (options.range) std::tie(scale.lower, scale.upper) = *options.range;
+  PictureFrame frame(plane.view, text, scale, options.width, false);
+  frame.draw();
+  paint(frame, map, plane.view, scale);
+  frame.canvas().save(path);
+}
+
 /// 3-D: lit balls, the nearest drawn last.
 void drawSpace(const std::filesystem::path& path, const ParticleSet<3>& particles,
                const PictureOptions<3>& options) {
@@ -220,6 +302,8 @@ PictureOptions<Dim> pictureOptions(const SceneInfo<Dim>& info, const std::string
   options.spacing = info.spacing;
   options.smoothingLength = info.smoothingLength;
   options.container = containerBounds(info);
+  options.kernel = info.kernel;
+  options.domain = info.domain;
   if (field == "material")
     for (const Material& material : info.materials) options.labels.push_back(material.name);
   if (field == "wall")
@@ -235,12 +319,18 @@ void drawParticles(const std::filesystem::path& path, const ParticleSet<Dim>& pa
   if constexpr (Dim == 1) {
     drawGraph(path, particles, options);
   } else if constexpr (Dim == 2) {
-    drawPlane(path, particles, options, 0, 1);
-  } else if (options.slice) {
-    if (options.slice->axis < 0 || options.slice->axis > 2)
-      throw InputError("slice: the axis must be x, y or z");
-    drawPlane(path, particles, options, options.slice->axis == 0 ? 1 : 0,
-              options.slice->axis == 2 ? 1 : 2);
+    if (options.smooth)
+      drawMap(path, particles, options, 0, 1);
+    else
+      drawPlane(path, particles, options, 0, 1);
+  } else if (options.slice || options.column) {
+    const int axis = options.column ? *options.column : options.slice->axis;
+    if (axis < 0 || axis > 2) throw InputError("slice: the axis must be x, y or z");
+    const int horizontal = axis == 0 ? 1 : 0, vertical = axis == 2 ? 1 : 2;
+    if (options.column || options.smooth)
+      drawMap(path, particles, options, horizontal, vertical);
+    else
+      drawPlane(path, particles, options, horizontal, vertical);
   } else {
     drawSpace(path, particles, options);
   }

@@ -35,9 +35,17 @@ struct PictureOptions {
   std::optional<std::pair<double, double>> range = {};  ///< of the colours; absent: of the values
   std::vector<std::string> labels = {};                 ///< names of materials or walls
   std::optional<Slice> slice = {};                      ///< in 3-D
+  /// 2-D and slices: the field of the fluids smoothed by the particles' kernels instead of disks.
+  bool smooth = false;
+  /// 3-D: the axis to look along; density becomes column density [kg m^-2], other fields their mean
+  /// weighted by mass.
+  std::optional<int> column = {};
+  std::string kernel = {};  ///< of smooth pictures
+  Box<Dim> domain = {};     ///< whose periodic axes smooth pictures continue
 };
 
-/// Options that a scene suggests: title, time, spacing, container or periodic domain, names.
+/// Options that a scene suggests: title, time, spacing, kernel, container or periodic domain,
+/// names.
 template <int Dim>
 PictureOptions<Dim> pictureOptions(const SceneInfo<Dim>& info,
                                    const std::string& field = "velocity");
@@ -45,7 +53,8 @@ PictureOptions<Dim> pictureOptions(const SceneInfo<Dim>& info,
 /// Draws particles as a PNG: disks of their true size coloured by a field, walls in grey, with
 /// colour bar, axes in metres and a line that counts what lies outside the picture. 2-D as it is;
 /// 3-D as lit balls seen from the front right, walls between viewer and fluid left out (or a
-/// slice); 1-D as the field against x. A million particles take a second or two.
+/// slice); 1-D as the field against x. Smooth pictures show fluids only. A million particles take a
+/// second or two.
 ///
 /// Throws InputError for an unknown field or one that the set does not carry (with those it does),
 /// for no particles and a view without extent; RunError if the file cannot be written.
