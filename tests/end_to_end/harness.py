@@ -51,14 +51,15 @@ class Programs(unittest.TestCase):
             self.assertIn(text, lines[0])
         return lines[0]
 
-    def run_case(self, name, *sets, without=()):
-        """(summary, columns of history.csv) of a case with some keys set and some lines left out."""
+    def run_case(self, name, *sets, without=(), edit=None):
+        """(summary, columns of history.csv) of a case with some keys set, some lines left out and its
+        text changed by edit(text)."""
         with open(f"{CASES}/{name}.toml") as file:
             text = file.read()
         for key in without:
             text, n = re.subn(rf"^{key}\s.*\n", "", text, flags=re.M)
             self.assertEqual(n, 1, key)
-        case = self.write(f"{name}.toml", text)
+        case = self.write(f"{name}.toml", edit(text) if edit else text)
         self.ok(IC, "generate", case, "-q", "--no-report", "-o", "set.hdf",
                 *(word for value in sets for word in ("--set", value)))
         self.ok(SPH, "run", "set.hdf", "-q", "--anew", "-o", "out")
