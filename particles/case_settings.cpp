@@ -153,6 +153,8 @@ const Section<SolverSettings>& solverSection() {
           .section("density_diffusion", &S::densityDiffusion, densityDiffusionSection())
           .section("shifting", &S::shifting, shiftingSection())
           .vector("gravity", &S::gravity, "m/s^2", "acceleration of gravity; absent: none")
+          .sections("inflow", &S::inflows, inflowSection())
+          .sections("outflow", &S::outflows, outflowSection())
           .text(
               "wall_pressure", &S::wallPressure,
               "walls keep p = 0 and their density; keep the pressure that they start with; follow "

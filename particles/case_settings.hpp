@@ -7,6 +7,7 @@
 #include "particles/case_node.hpp"
 #include "particles/measure_settings.hpp"
 #include "particles/section.hpp"
+#include "particles/stream_settings.hpp"
 #include "particles/validate_settings.hpp"
 
 #include <optional>
@@ -102,6 +103,8 @@ struct SolverSettings {
   std::optional<DensityDiffusionSettings> densityDiffusion;
   std::optional<ShiftingSettings> shifting;
   std::vector<double> gravity;  ///< [m/s^2]; empty: none
+  std::vector<StreamSettings> inflows;
+  std::vector<StreamSettings> outflows;
   std::string wallPressure = "zero";
   std::string integrator = "symplectic_euler";
   std::optional<double> timeStep;  ///< fixed [s]; absent: from cfl
@@ -111,6 +114,8 @@ struct SolverSettings {
   std::string precision = "mixed";   ///< of pairs; the state is in double
   double endTime = 1;                ///< [s]
 
+  /// Fluid comes in or leaves during the run.
+  bool hasStreams() const { return !inflows.empty() || !outflows.empty(); }
   /// Density and pressure of walls follow the fluid's equations.
   bool wallsEvolve() const { return wallPressure == "equation_of_state"; }
   /// They are those of the fluid in front of them.

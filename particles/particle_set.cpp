@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <type_traits>
 
 namespace plenum {
 
@@ -60,8 +61,7 @@ void ParticleSet<Dim>::remove(FieldSet fields) {
 }
 
 template <int Dim>
-void ParticleSet<Dim>::permute(std::span<const std::uint32_t> order,
-                               std::span<std::byte> scratch) {
+void ParticleSet<Dim>::permute(std::span<const std::uint32_t> order, std::span<std::byte> scratch) {
   assert(order.size() == size());
   assert(scratch.size() >= size() * permuteBytes);
   forEachField([&](const FieldInfo& info, auto values) {
@@ -72,6 +72,61 @@ void ParticleSet<Dim>::permute(std::span<const std::uint32_t> order,
                  [&](std::size_t k) { sorted[k] = values[order[first + k] - first]; });
     if (!values.empty()) std::memcpy(values.data(), sorted, values.size_bytes());
   });
+}
+
+template <int Dim>
+ParticleSet<Dim> ParticleSet<Dim>::fluidsOf(std::span<const std::uint32_t> indices) const {
+  FieldSet fields;
+  for (const FieldInfo& info : fieldTable)
+    if (has(info.id) && info.scope != Scope::walls) fields |= {info.id};
+  ParticleSet chosen(fields, indices.size(), 0);
+  for (const FieldInfo& info : fieldTable) {
+    if (!fields.has(info.id)) continue;
+    std::visit(
+        [&](auto& to) {
+          const auto& from =
+              std::get<std::remove_reference_t<decltype(to)>>(arrays_[index(info.id)]);
+          for (std::size_t k = 0; k < indices.size(); ++k) to[k] = from[indices[k]];
+        },
+        chosen.arrays_[index(info.id)]);
+  }
+  return chosen;
+}
+
+namespace {
+
+/// What `ParticleSet::exchangeFluids` says, of one array.
+template <class Value>
+void exchange(std::vector<Value>& values, std::size_t nFluid,
+              std::span<const std::uint32_t> removed, std::span<const std::uint32_t> copied) {
+  std::vector<Value> copies;
+  copies.reserve(copied.size());
+  for (const std::uint32_t i : copied) copies.push_back(values[i]);
+  const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
+  auto end = removed.empty() ? at(nFluid) : at(removed.front());
+  for (std::size_t k = 0; k < removed.size(); ++k) {
+    const std::size_t next = k + 1 < removed.size() ? removed[k + 1] : nFluid;
+    end = std::move(at(removed[k] + 1), at(next), end);
+  }
+  // Where particles left, copies take their places, as far as they go.
+  const std::size_t nReplaced = std::min(removed.size(), copies.size());
+  const auto rest = copies.begin() + static_cast<std::ptrdiff_t>(nReplaced);
+  end = std::move(copies.begin(), rest, end);
+  const auto walls = values.erase(end, at(nFluid));
+  values.insert(walls, rest, copies.end());
+}
+
+}  // namespace
+
+template <int Dim>
+void ParticleSet<Dim>::exchangeFluids(std::span<const std::uint32_t> removed,
+                                      std::span<const std::uint32_t> copied) {
+  assert(std::ranges::is_sorted(removed));
+  for (const FieldInfo& info : fieldTable)
+    if (has(info.id) && info.scope != Scope::walls)
+      std::visit([&](auto& values) { exchange(values, nFluid_, removed, copied); },
+                 arrays_[index(info.id)]);
+  nFluid_ += copied.size() - removed.size();
 }
 
 template <int Dim>

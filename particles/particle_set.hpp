@@ -65,6 +65,15 @@ class ParticleSet {
   void permute(std::span<const std::uint32_t> order, std::span<std::byte> scratch);
   static constexpr std::size_t permuteBytes = std::max(sizeof(Vec<Dim>), sizeof(std::uint64_t));
 
+  /// A set of the fluid particles with these indices alone, with all fields but those of walls.
+  ParticleSet fluidsOf(std::span<const std::uint32_t> indices) const;
+
+  /// The fluid particles `removed` (in rising order) leave, and copies of those in `copied` come
+  /// behind the fluids that stay, ids and all. Indices are those from before; the others keep their
+  /// order, and so do walls.
+  void exchangeFluids(std::span<const std::uint32_t> removed,
+                      std::span<const std::uint32_t> copied);
+
   /// Bytes of all arrays per particle.
   double bytesPerParticle() const;
 

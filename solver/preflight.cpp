@@ -5,6 +5,7 @@
 #include "particles/errors.hpp"
 #include "solver/phases.hpp"
 #include "solver/preflight_gas.hpp"
+#include "solver/preflight_streams.hpp"
 
 #include <fmt/format.h>
 
@@ -169,6 +170,7 @@ void checkBeforeRun(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particle
   checkValues(particles, 2 * settings.smoothingLength * info.spacing);
   if (!settings.adaptive) checkSmoothingLengths(particles);
   checkGas(info, particles, settings);
+  checkStreams(info, particles, settings);
   checkCoverage(info, settings);
   checkPhysics(info, settings);
   checkTimeStep(info, settings);

@@ -35,6 +35,9 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings, bo
       measuresLoads_(measuresLoads && scene.particles.nWalls() > 0),
       scene_(std::move(checked(scene, settings))),
       phases_(scene_.info.materials, settings),
+      streams_(settings.hasStreams()
+                   ? std::optional<Streams<Dim>>(std::in_place, settings, smoothingLength())
+                   : std::nullopt),
       gas_(settings.hasOwnLengths() ? std::optional<Gas<Dim>>(settings) : std::nullopt),
       engine_(scene_.info.domain, engineOptions(scene_, settings,
                                                 largestSignalSpeed(scene_.particles, settings,
@@ -69,6 +72,7 @@ void Simulation<Dim>::begin() {
   isContinued_ = false;
   scene_.info.progress.clear();
   if (gas_) gas_->setLengths(scene_.particles, smoothingLength());
+  if (streams_) beginStreams();
   record_.runStart = time();
   record_.largestAcceleration = norm(gravity_);
   record_.fastest = largestFluidSpeed();
@@ -81,11 +85,22 @@ void Simulation<Dim>::begin() {
   if (settings_.kicksTwice()) storeAcceleration();
 }
 
+template <int Dim>
+void Simulation<Dim>::beginStreams() {
+  streams_->begin(scene_.particles);
+  if (!gas_) return;
+  const double soundSpeed =
+      largestSignalSpeed(scene_.particles, settings_, phases_.largestSoundSpeed());
+  streams_->settleBelts(settings_, engineOptions(scene_, settings_, soundSpeed, measuresLoads_),
+                        passes_, scene_);
+}
+
 /// The state in which a run stopped.
 template <int Dim>
 void Simulation<Dim>::goOn() {
   record_.restore(scene_.info.progress);
   wallLoads_.restore(scene_.info.progress);
+  if (streams_) streams_->restore(scene_.info.progress);
 }
 
 template <int Dim>
@@ -98,6 +113,7 @@ template <int Dim>
 void Simulation<Dim>::notePause() {
   scene_.info.progress = record_.progress();
   std::ranges::copy(wallLoads_.progress(), std::back_inserter(scene_.info.progress));
+  if (streams_) std::ranges::copy(streams_->progress(), std::back_inserter(scene_.info.progress));
 }
 
 template <int Dim>
@@ -248,15 +264,17 @@ template <int Dim>
 void Simulation<Dim>::storeAcceleration() {
   const auto [change, bad] = storeAccelerations(engine_, scene_.particles, gravity_);
   if (bad) fail("the force is not finite", *bad);
+  if (settings_.isIdealGas()) gas_->takeHeating(engine_, scene_.particles);
+  if (streams_) streams_->hold(scene_.particles);
   record_.largestAcceleration =
       largestNorm<Dim>(std::as_const(scene_.particles)[field::acceleration]);
-  if (settings_.isIdealGas()) gas_->takeHeating(engine_, scene_.particles);
 }
 
 template <int Dim>
 void Simulation<Dim>::kickByAcceleration(double dt) {
   predictByAcceleration(dt);
   wallLoads_.act(dt);
+  if (streams_) streams_->act(dt);
 }
 
 /// Velocities and energies after dt by the stored rates, as they would be for now.
@@ -279,8 +297,25 @@ template <int Dim>
 void Simulation<Dim>::driftParticles(double dt) {
   record_.fastest = largestFluidSpeed();
   requireSpeedLimit();
+  if (streams_) streams_->beforeMove(scene_.particles);
   drift(engine_, scene_.info.domain, scene_.particles, dt, record_.fastest);
+  if (streams_)
+    streams_->afterMove(engine_, scene_.particles, time() + dt,
+                        [&](std::size_t i) { return energyOf(i); });
   if (gas_) gas_->lengths().predict(engine_, scene_.particles, dt);
+}
+
+/// Of a fluid particle [J], as Conserved has it.
+template <int Dim>
+double Simulation<Dim>::energyOf(std::size_t i) const {
+  const ParticleSet<Dim>& p = scene_.particles;
+  double energy = 0.5 * normSquared(p[field::velocity][i]) - dot(gravity_, p[field::position][i]);
+  if (p.has(field::internalEnergy))
+    return p[field::mass][i] * (energy + p[field::internalEnergy][i]);
+  std::span<const std::int32_t> material;
+  if (p.has(field::material)) material = p[field::material];
+  energy += states_.of(material, i).compressionEnergy(p[field::density][i]);
+  return p[field::mass][i] * energy;
 }
 
 template <int Dim>

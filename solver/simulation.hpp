@@ -9,6 +9,7 @@
 #include "solver/pair_pass.hpp"
 #include "solver/phases.hpp"
 #include "solver/step_record.hpp"
+#include "solver/streams.hpp"
 #include "solver/wall_loads.hpp"
 #include "solver/wall_motion.hpp"
 #include "solver/wall_state.hpp"
@@ -72,6 +73,11 @@ class Simulation {
   /// before.
   const Scene<Dim>& scene() const { return scene_; }
 
+  /// What has come in and gone out; null where the case has no inflow and no outflow.
+  const StreamBalance<Dim>* streamBalance() const {
+    return streams_ ? &streams_->balance() : nullptr;
+  }
+
   /// Whether a run may stop here: the next step will sort and search anew, as a run that goes on
   /// from a file must. So it is every 64 steps at the latest.
   bool mayPause() const;
@@ -103,6 +109,7 @@ class Simulation {
 
  private:
   void begin();
+  void beginStreams();
   void goOn();
 
   void stepEuler(double dt);
@@ -117,6 +124,7 @@ class Simulation {
   void requireEnergy(const Advanced& heated) const;
   void collide(double now);
   void driftParticles(double dt);
+  double energyOf(std::size_t i) const;
   void moveWalls(double time);
   void shiftParticles(double dt);
   double largestFluidSpeed() const;
@@ -128,6 +136,7 @@ class Simulation {
   bool measuresLoads_;
   Scene<Dim> scene_;
   Phases phases_;
+  std::optional<Streams<Dim>> streams_;
   std::optional<Gas<Dim>> gas_;  // absent where all have one smoothing length and no energy
   Engine<Dim> engine_;
   StepPasses<Dim> passes_;

@@ -27,7 +27,8 @@ SmoothingLengths<Dim>::SmoothingLengths(const SolverSettings& settings)
       isAdaptive_(settings.lengthsFollow()),
       isGradH_(settings.hasForm("grad_h")),
       eta_(settings.smoothingLength),
-      selfTerm_(selfTermCorrection(settings, Dim)) {}
+      selfTerm_(selfTermCorrection(settings, Dim)),
+      planes_(settings) {}
 
 template <int Dim>
 void SmoothingLengths<Dim>::begin(Engine<Dim>& engine, const StepPasses<Dim>& passes,
@@ -58,9 +59,11 @@ void SmoothingLengths<Dim>::sumDensities(Engine<Dim>& engine, const PairPass<Dim
   const auto rho = particles[field::density], omegaRho = particles[field::omegaDensity];
   const auto mass = std::as_const(particles)[field::mass];
   const auto h = std::as_const(particles)[field::smoothingLength];
+  const auto position = std::as_const(particles)[field::position];
   engine.forEachSum(
       Group::fluids,
       [&](std::size_t i, double sum, double omegaSum) {
+        if (planes_.isDeep(position[i])) return;
         rho[i] = sum - selfTerm_ * mass[i] / power<Dim>(h[i]);
         omegaRho[i] = isGradH_ ? omegaSum : rho[i];
       },
@@ -77,9 +80,11 @@ typename SmoothingLengths<Dim>::Correction SmoothingLengths<Dim>::correct(
   const auto rho = particles[field::density], h = particles[field::smoothingLength];
   const auto omegaRho = particles[field::omegaDensity];
   const auto mass = std::as_const(particles)[field::mass];
+  const auto position = std::as_const(particles)[field::position];
   double largest = 0, growth = 1;
 #pragma omp parallel for schedule(static) reduction(max : largest, growth) if (n >= worthThreads)
   for (std::size_t i = 0; i < n; ++i) {
+    if (planes_.isDeep(position[i])) continue;
     const double wanted = mass[i] * power<Dim>(eta_ / h[i]);
     const double slope = Dim * (omegaRho[i] + wanted - rho[i]);  // of the difference, times -h
     double change = (rho[i] - wanted) / slope;
@@ -141,6 +146,7 @@ double SmoothingLengths<Dim>::updateFromMeanDensity(Engine<Dim>& engine,
   const auto h = particles[field::smoothingLength];
   const auto rho = std::as_const(particles)[field::density];
   const auto mass = std::as_const(particles)[field::mass];
+  const auto position = std::as_const(particles)[field::position];
   const double least = std::max(0.0, 1 - changeLimit), most = 1 + changeLimit;
   double growth = 1;
   engine.withSums(field::densityMoment, [&](const auto& moments) {
@@ -148,6 +154,7 @@ double SmoothingLengths<Dim>::updateFromMeanDensity(Engine<Dim>& engine,
 #pragma omp parallel for schedule(static) reduction(max : growth) if (h.size() >= worthThreads)
     for (std::size_t c = 0; c < nClusters; ++c)
       moments.forEach(c, [&](std::size_t i, double moment) {
+        if (planes_.isDeep(position[i])) return;
         const double wanted = eta_ * std::pow(mass[i] * rho[i] / moment, 1.0 / Dim);
         const double factor = std::clamp(wanted / h[i], least, most);
         growth = std::max(growth, factor);
@@ -165,9 +172,11 @@ void SmoothingLengths<Dim>::predict(Engine<Dim>& engine, ParticleSet<Dim>& parti
   const std::size_t n = particles.nFluid();
   const auto h = particles[field::smoothingLength];
   const auto divergence = std::as_const(particles)[field::velocityDivergence];
+  const auto position = std::as_const(particles)[field::position];
   double growth = 1;
 #pragma omp parallel for schedule(static) reduction(max : growth) if (n >= worthThreads)
   for (std::size_t i = 0; i < n; ++i) {
+    if (planes_.isDeep(position[i])) continue;
     const double factor =
         std::clamp(std::exp(dt * divergence[i] / Dim), 1 / largestChange, largestChange);
     growth = std::max(growth, factor);

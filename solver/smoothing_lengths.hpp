@@ -6,10 +6,12 @@
 #include "engine/engine.hpp"
 #include "particles/case_settings.hpp"
 #include "solver/pair_pass.hpp"
+#include "solver/stream_planes.hpp"
 
 namespace plenum {
 
-/// Summed densities and the smoothing lengths of the fluids; those of walls stay as they are.
+/// Summed densities and the smoothing lengths of the fluids; those of walls, and of fluid deep
+/// beyond the plane of a stream, stay as they are.
 ///
 /// grad_h: h_i = eta (m_i/rho_i(h_i))^(1/d), found by Newton's method from a prediction. Springel &
 /// Hernquist 2002, doi 10.1046/j.1365-8711.2002.05445.x; Price 2012, doi 10.1016/j.jcp.2010.12.011.
@@ -50,6 +52,7 @@ class SmoothingLengths {
   bool isAdaptive_, isGradH_;
   double eta_;       ///< h/(m/rho)^(1/d)
   double selfTerm_;  ///< taken from densities, in m h^-d
+  StreamPlanes<Dim> planes_;
 };
 
 }  // namespace plenum

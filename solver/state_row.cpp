@@ -33,6 +33,20 @@ void addLoads(std::vector<Figure>& row, const Simulation<Dim>& simulation) {
   }
 }
 
+/// What came in and went out, and what balances without it.
+template <int Dim>
+void addStreams(std::vector<Figure>& row, const Simulation<Dim>& simulation, const Conserved& c) {
+  const StreamBalance<Dim>* balance = simulation.streamBalance();
+  if (balance == nullptr) return;
+  row.push_back({"mass", "kg", c.mass});
+  row.push_back({"mass_in", "kg", balance->massIn});
+  row.push_back({"mass_out", "kg", balance->massOut});
+  row.push_back({"energy_in", "J", balance->energyIn});
+  row.push_back({"energy_balance", "J", c.energy() - balance->energyIn});
+  for (int a = 0; a < Dim; ++a)
+    row.push_back({std::string("momentum_in_") + "xyz"[a], "kg m/s", balance->momentumIn[a]});
+}
+
 }  // namespace
 
 template <int Dim>
@@ -66,6 +80,7 @@ std::vector<Figure> measureState(const Simulation<Dim>& simulation, const Observ
     if (Dim == 3 || (Dim == 2 && a == 2))
       row.push_back(
           {std::string("angular_momentum_") + "xyz"[a], "kg m^2/s", c.angularMomentum[a]});
+  addStreams(row, simulation, c);
   addLoads(row, simulation);
   observers.addTo(row, observed(simulation));
   return row;

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/preflight_streams.hpp"
+
+#include "particles/errors.hpp"
+#include "solver/stream_planes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plenum {
+
+namespace {
+
+/// Checks of one plane of a scene.
+template <int Dim>
+class PlaneCheck {
+ public:
+  PlaneCheck(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particles,
+             const SolverSettings& settings, const StreamPlane<Dim>& plane)
+      : info_(info), particles_(particles), settings_(settings), plane_(plane) {}
+
+  void operator()() const {
+    checkLength();
+    checkFluid();
+    checkDirection();
+    if (plane_.isInflow) checkPeriods();
+    checkWalls();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InputError(
+        fmt::format("{}: [[solver.{}]] with axis = \"{}\", at = {:g}, side = \"{}\" {}",
+                    info_.caseName, plane_.isInflow ? "inflow" : "outflow", "xyz"[plane_.axis],
+                    plane_.at, plane_.outward < 0 ? "lower" : "upper", what));
+  }
+
+  double depthOf(std::size_t i) const { return plane_.depth(particles_[field::position][i]); }
+  double volumeOf(std::size_t i) const {
+    return particles_[field::mass][i] / particles_[field::density][i];
+  }
+  double spacingOf(std::size_t i) const { return std::pow(volumeOf(i), 1.0 / Dim); }
+
+  /// Of the fluid beyond the plane [m]; beyond an outflow gas from anywhere comes.
+  double support() const {
+    const double eta = settings_.smoothingLength;
+    if (!settings_.lengthsFollow()) return 2 * eta * info_.spacing;
+    double largest = 0;
+    for (std::size_t i = 0; i < particles_.nFluid(); ++i)
+      if (!plane_.isInflow || depthOf(i) > 0) largest = std::max(largest, spacingOf(i));
+    return 2 * eta * largest;
+  }
+
+  void checkLength() const {
+    const double least = 2 * support();
+    if (plane_.length >= least * (1 - 1e-9)) return;
+    refuse(
+        fmt::format("has length = {:g} m, less than twice the kernel's support, {:.6g} m: gas at "
+                    "the plane would feel that there is nothing behind; set length to that or "
+                    "more, and let the fluid's region reach as far",
+                    plane_.length, least));
+  }
+
+  /// The fluid must reach through the plane to the end of the length, and no further.
+  void checkFluid() const {
+    double deepest = -std::numeric_limits<double>::infinity(), highest = deepest, spacing = 0;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < particles_.nFluid(); ++i) {
+      highest = std::max(highest, -depthOf(i));
+      if (depthOf(i) <= deepest) continue;
+      deepest = depthOf(i);
+      spacing = spacingOf(i);
+      last = i;
+    }
+    if (!(deepest > 0 && highest > 0))
+      refuse(
+          fmt::format("lies outside of the fluid, which reaches from {:.6g} to {:.6g} m there; "
+                      "move the plane to where fluid stands on both sides of it, or the "
+                      "fluid's region",
+                      plane_.at + plane_.outward * (plane_.outward < 0 ? deepest : -highest),
+                      plane_.at + plane_.outward * (plane_.outward < 0 ? -highest : deepest)));
+    if (deepest > plane_.length * (1 + 1e-9))
+      refuse(
+          fmt::format("has length = {:g} m, and particle {} stands {:.6g} m beyond the plane; "
+                      "make length as long as the fluid reaches, or the fluid's region shorter",
+                      plane_.length, particles_[field::id][last], deepest));
+    if (deepest < plane_.length - 1.5 * spacing)
+      refuse(
+          fmt::format("has length = {:g} m, and fluid reaches only {:.6g} m beyond the plane; "
+                      "let its region reach to {:g} m, or make length shorter",
+                      plane_.length, deepest, plane_.at + plane_.outward * plane_.length));
+  }
+
+  void checkDirection() const {
+    for (std::size_t i = 0; i < particles_.nFluid(); ++i) {
+      if (!(depthOf(i) > 0)) continue;
+      const double speed = plane_.along(particles_[field::velocity][i]);
+      if (speed > 0) continue;
+      refuse(
+          fmt::format("has fluid beyond it that does not come {}: particle {} has {:g} m/s into "
+                      "that direction; "
+                      "give the [[fluid]] there a velocity through the plane, or leave the {} out",
+                      plane_.isInflow ? "in" : "to it and leave", particles_[field::id][i], speed,
+                      plane_.isInflow ? "inflow" : "outflow"));
+    }
+  }
+
+  /// The belt repeats with the plane's length, so this must be whole periods of the lattice. Where
+  /// the other axes are periodic, the volume of the particles tells.
+  void checkPeriods() const {
+    double area = 1, volume = 0;
+    for (int a = 0; a < Dim; ++a) {
+      if (a == plane_.axis) continue;
+      if (!info_.domain.isPeriodic(a)) return;
+      area *= info_.domain.upper[a] - info_.domain.lower[a];
+    }
+    double spacing = 0;
+    for (std::size_t i = 0; i < particles_.nFluid(); ++i) {
+      if (!(depthOf(i) > 0)) continue;
+      volume += volumeOf(i);
+      spacing = std::max(spacing, spacingOf(i));
+    }
+    const double filled = volume / area;
+    if (std::abs(filled - plane_.length) <= 0.1 * spacing) return;
+    refuse(fmt::format(
+        "has length = {:g} m, and the particles beyond it fill {:.6g} m: length must be whole "
+        "periods of their lattice, for they come in again and again; set length = {:.6g} and let "
+        "the fluid's region end there",
+        plane_.length, filled, filled));
+  }
+
+  /// Held fluid does not feel walls, and fluid just before the plane could not go round them.
+  void checkWalls() const {
+    const double clear = 2 * support();
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t met = 0;
+    for (std::size_t w = 0; w < particles_.nWalls(); ++w) {
+      const double distance = -depthOf(particles_.nFluid() + w);
+      if (distance > nearest || distance < -plane_.length - 0.5 * clear) continue;
+      nearest = distance;
+      met = w;
+    }
+    if (!(nearest < clear)) return;
+    const auto wall = static_cast<std::size_t>(particles_[field::wall][met]);
+    const std::string name =
+        wall < info_.walls.size() ? info_.walls[wall].name : std::to_string(wall);
+    refuse(fmt::format(
+        "meets wall \"{}\": it stands {}, and the gas that is held there goes straight through "
+        "walls; keep walls {:.4g} m (two supports of the kernel) or more away from the plane, on "
+        "the side of the scene, or make axes across the stream periodic instead of walled",
+        name,
+        nearest > 0 ? fmt::format("{:.4g} m from the plane", nearest)
+                    : fmt::format("up to {:.4g} m beyond the plane", -nearest),
+        clear));
+  }
+
+  const SceneInfo<Dim>& info_;
+  const ParticleSet<Dim>& particles_;
+  const SolverSettings& settings_;
+  const StreamPlane<Dim>& plane_;
+};
+
+void checkNumerics(const SolverSettings& s) {
+  const std::string key = s.inflows.empty() ? "outflow" : "inflow";
+  const auto refuse = [&](const std::string& why, const std::string& remedy) {
+    throw InputError(fmt::format("solver.{} {}; {}", key, why, remedy));
+  };
+  if (s.equationOfState == "tait")
+    refuse("is for gases, and equation_of_state = \"tait\" is a liquid's",
+           "set equation_of_state to \"isothermal\" or \"ideal_gas\"");
+  if (!s.kicksTwice())
+    refuse("is known to integrator = \"kick_drift_kick\" only",
+           "set solver.integrator = \"kick_drift_kick\"");
+  if (!s.sumsDensity())
+    refuse(
+        "needs densities that particles bring along, and density = \"continuity\" integrates "
+        "them where neighbours may be missing",
+        "set density = \"summation\"");
+  const std::pair<bool, const char*> liquids[] = {{s.collisions.has_value(), "collisions"},
+                                                  {s.shifting.has_value(), "shifting"}};
+  for (const auto& [isAsked, name] : liquids)
+    if (isAsked)
+      refuse(fmt::format("does not go with {}, which would push what is held", name),
+             fmt::format("leave solver.{} out", name));
+}
+
+template <int Dim>
+void checkArrangement(const SceneInfo<Dim>& info, const StreamPlanes<Dim>& planes) {
+  const StreamPlane<Dim>* first = nullptr;
+  for (const StreamPlane<Dim>& plane : planes) {
+    const char* name = plane.isInflow ? "inflow" : "outflow";
+    const char axis = "xyz"[plane.axis];
+    const auto refuse = [&](const std::string& why) {
+      throw InputError(fmt::format("{}: [[solver.{}]] at {} = {:g} {}", info.caseName, name, axis,
+                                   plane.at, why));
+    };
+    if (info.domain.isPeriodic(plane.axis))
+      refuse(fmt::format("lies across the periodic axis {0}; take \"{0}\" out of domain.periodic",
+                         axis));
+    if (first == nullptr) {
+      first = &plane;
+      continue;
+    }
+    if (plane.axis != first->axis || plane.outward == first->outward)
+      refuse(
+          fmt::format("and the one at {} = {:g}: there may be one at the lower and one at the "
+                      "upper end of the same axis; leave one out",
+                      "xyz"[first->axis], first -> at));
+    if (!(first->depth(Vec<Dim>::filled(plane.at)) < 0))
+      refuse(
+          fmt::format("and the one at {:g}: the plane with side = \"lower\" must lie below the "
+                      "one with side = \"upper\"; swap the sides",
+                      first->at));
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void checkStreams(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particles,
+                  const SolverSettings& settings) {
+  if (!settings.hasStreams()) return;
+  checkNumerics(settings);
+  const StreamPlanes<Dim> planes(settings);
+  checkArrangement(info, planes);
+  if (!info.progress.empty()) return;
+  for (const StreamPlane<Dim>& plane : planes) PlaneCheck<Dim>(info, particles, settings, plane)();
+}
+
+template void checkStreams<1>(const SceneInfo<1>&, const ParticleSet<1>&, const SolverSettings&);
+template void checkStreams<2>(const SceneInfo<2>&, const ParticleSet<2>&, const SolverSettings&);
+template void checkStreams<3>(const SceneInfo<3>&, const ParticleSet<3>&, const SolverSettings&);
+
+}  // namespace plenum
