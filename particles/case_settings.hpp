@@ -56,9 +56,9 @@ struct ViscositySettings {
 /// A smoothing length for each particle, that follows its density.
 struct AdaptiveSettings {
   std::string form = "grad_h";
-  double tolerance = 1e-4;            ///< of densities, for grad_h
-  int maxIterations = 50;             ///< a step
-  std::optional<double> changeLimit;  ///< of a step, for mean_density; absent: none
+  double tolerance = 1e-4;                 ///< of densities, for grad_h
+  int maxIterations = 50;                  ///< a step
+  std::optional<double> changeLimit = {};  ///< of a step, for mean_density; absent: none
 };
 
 /// Artificial conduction of heat.

@@ -2,6 +2,7 @@
 #include "solver/conserved.hpp"
 
 #include "engine/ordered_sum.hpp"
+#include "solver/particle_energy.hpp"
 
 namespace plenum {
 
@@ -24,25 +25,18 @@ Conserved measureConserved(const Simulation<Dim>& simulation) {
   const auto position = particles[field::position];
   const auto velocity = particles[field::velocity];
   const auto mass = particles[field::mass];
-  const auto density = particles[field::density];
-  std::span<const double> energy;  // of an ideal gas
-  if (particles.has(field::internalEnergy)) energy = particles[field::internalEnergy];
-  std::span<const std::int32_t> material;
-  if (particles.has(field::material)) material = particles[field::material];
-  const Vec<Dim> gravity = simulation.gravity();
+  const ParticleEnergies<Dim> energies(particles, simulation.materials(), simulation.gravity());
 
   return orderedSum<Conserved>(particles.nFluid(), [&](std::size_t i) {
     const double m = mass[i];
     const auto x = toThree(position[i]), v = toThree(velocity[i]);
     Conserved c;
     c.mass = m;
-    c.kineticEnergy = 0.5 * m * normSquared(velocity[i]);
-    c.potentialEnergy = -m * dot(gravity, position[i]);
-    if (energy.empty())
-      c.compressionEnergy =
-          m * simulation.materials().of(material, i).compressionEnergy(density[i]);
-    else
-      c.internalEnergy = m * energy[i];
+    const ParticleEnergy energy = energies(i);
+    c.kineticEnergy = energy.kinetic;
+    c.potentialEnergy = energy.potential;
+    c.compressionEnergy = energy.compression;
+    c.internalEnergy = energy.internal;
     for (std::size_t a = 0; a < 3; ++a) {
       const std::size_t b = (a + 1) % 3, d = (a + 2) % 3;
       c.momentum[a] = m * v[a];

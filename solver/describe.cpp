@@ -89,6 +89,18 @@ std::string forceLines(const SolverSettings& s) {
   return text;
 }
 
+std::string streamLines(const SolverSettings& s) {
+  std::string text;
+  const auto add = [&](const char* label, const std::vector<StreamSettings>& streams) {
+    for (const StreamSettings& stream : streams)
+      text += fmt::format("{:<16} {} end of {}: plane at {:g} m, gas held for {:g} m beyond it\n",
+                          label, stream.side, stream.axis, stream.at, stream.length);
+  };
+  add("inflow", s.inflows);
+  add("outflow", s.outflows);
+  return text;
+}
+
 std::string wallLine(std::size_t nWalls, const std::string& model) {
   const char* what = model == "zero"                ? "zero"
                      : model == "initial"           ? "as at the start"
@@ -107,6 +119,7 @@ std::string leftOut(const Simulation<Dim>& simulation) {
   if (s.isIdealGas() && !s.conductivity) absent.push_back("conductivity");
   if (!s.collisions) absent.push_back("collisions");
   if (s.gravity.empty()) absent.push_back("gravity");
+  if (s.equationOfState != "tait" && !s.hasStreams()) absent.push_back("inflow and outflow");
   if (simulation.particles().nWalls() == 0) absent.push_back("walls");
   if (simulation.info().materials.size() < 2) absent.push_back("material table");
   return fmt::format("not modelled     {}\n", fmt::join(absent, ", "));
@@ -130,6 +143,7 @@ std::string describeModel(const Simulation<Dim>& simulation) {
   if (!s.gravity.empty())
     text += fmt::format("gravity          ({:g}) m/s^2\n", fmt::join(s.gravity, ", "));
   if (particles.nWalls() > 0) text += wallLine(simulation.info().walls.size(), s.wallPressure);
+  text += streamLines(s);
   text += fmt::format(
       "time step        {}, {}\n", s.kicksTwice() ? "kick-drift-kick" : "symplectic Euler",
       s.timeStep ? fmt::format("{:g} s, fixed", *s.timeStep) : fmt::format("cfl {:g}", s.cfl));

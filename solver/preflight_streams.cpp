@@ -204,11 +204,12 @@ void checkArrangement(const SceneInfo<Dim>& info, const StreamPlanes<Dim>& plane
       first = &plane;
       continue;
     }
+    const char firstAxis = "xyz"[first->axis];
     if (plane.axis != first->axis || plane.outward == first->outward)
       refuse(
           fmt::format("and the one at {} = {:g}: there may be one at the lower and one at the "
                       "upper end of the same axis; leave one out",
-                      "xyz"[first->axis], first -> at));
+                      firstAxis, first->at));
     if (!(first->depth(Vec<Dim>::filled(plane.at)) < 0))
       refuse(
           fmt::format("and the one at {:g}: the plane with side = \"lower\" must lie below the "

@@ -35,9 +35,6 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings, bo
       measuresLoads_(measuresLoads && scene.particles.nWalls() > 0),
       scene_(std::move(checked(scene, settings))),
       phases_(scene_.info.materials, settings),
-      streams_(settings.hasStreams()
-                   ? std::optional<Streams<Dim>>(std::in_place, settings, smoothingLength())
-                   : std::nullopt),
       gas_(settings.hasOwnLengths() ? std::optional<Gas<Dim>>(settings) : std::nullopt),
       engine_(scene_.info.domain, engineOptions(scene_, settings,
                                                 largestSignalSpeed(scene_.particles, settings,
@@ -48,6 +45,10 @@ Simulation<Dim>::Simulation(Scene<Dim> scene, const SolverSettings& settings, bo
           engine_.units())),
       states_(phases_.states()),
       gravity_(gravityOf<Dim>(settings)),
+      streams_(settings.hasStreams()
+                   ? std::optional<Streams<Dim>>(std::in_place, settings, smoothingLength(),
+                                                 states_, gravity_)
+                   : std::nullopt),
       wallState_(settings, phases_.statesOf(scene_.info.walls, settings), gravity_),
       wallMotion_(scene_),
       wallLoads_(scene_.info.walls.size()) {
@@ -299,23 +300,8 @@ void Simulation<Dim>::driftParticles(double dt) {
   requireSpeedLimit();
   if (streams_) streams_->beforeMove(scene_.particles);
   drift(engine_, scene_.info.domain, scene_.particles, dt, record_.fastest);
-  if (streams_)
-    streams_->afterMove(engine_, scene_.particles, time() + dt,
-                        [&](std::size_t i) { return energyOf(i); });
+  if (streams_) streams_->afterMove(engine_, scene_.particles, time() + dt, dt);
   if (gas_) gas_->lengths().predict(engine_, scene_.particles, dt);
-}
-
-/// Of a fluid particle [J], as Conserved has it.
-template <int Dim>
-double Simulation<Dim>::energyOf(std::size_t i) const {
-  const ParticleSet<Dim>& p = scene_.particles;
-  double energy = 0.5 * normSquared(p[field::velocity][i]) - dot(gravity_, p[field::position][i]);
-  if (p.has(field::internalEnergy))
-    return p[field::mass][i] * (energy + p[field::internalEnergy][i]);
-  std::span<const std::int32_t> material;
-  if (p.has(field::material)) material = p[field::material];
-  energy += states_.of(material, i).compressionEnergy(p[field::density][i]);
-  return p[field::mass][i] * energy;
 }
 
 template <int Dim>

@@ -124,7 +124,6 @@ class Simulation {
   void requireEnergy(const Advanced& heated) const;
   void collide(double now);
   void driftParticles(double dt);
-  double energyOf(std::size_t i) const;
   void moveWalls(double time);
   void shiftParticles(double dt);
   double largestFluidSpeed() const;
@@ -136,12 +135,12 @@ class Simulation {
   bool measuresLoads_;
   Scene<Dim> scene_;
   Phases phases_;
-  std::optional<Streams<Dim>> streams_;
   std::optional<Gas<Dim>> gas_;  // absent where all have one smoothing length and no energy
   Engine<Dim> engine_;
   StepPasses<Dim> passes_;
   MaterialTable states_;  // of the fluids
   Vec<Dim> gravity_{};
+  std::optional<Streams<Dim>> streams_;  // absent where nothing comes in or leaves
   WallState<Dim> wallState_;
   WallMotion<Dim> wallMotion_;
   std::vector<Vec<Dim>> wallAccelerations_;  // empty if no wall moves [m/s^2]

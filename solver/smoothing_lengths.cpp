@@ -63,9 +63,9 @@ void SmoothingLengths<Dim>::sumDensities(Engine<Dim>& engine, const PairPass<Dim
   engine.forEachSum(
       Group::fluids,
       [&](std::size_t i, double sum, double omegaSum) {
-        if (planes_.isDeep(position[i])) return;
-        rho[i] = sum - selfTerm_ * mass[i] / power<Dim>(h[i]);
-        omegaRho[i] = isGradH_ ? omegaSum : rho[i];
+        const bool isSum = !planes_.isDeep(position[i]);
+        if (isSum) rho[i] = sum - selfTerm_ * mass[i] / power<Dim>(h[i]);
+        omegaRho[i] = isSum && isGradH_ ? omegaSum : rho[i];
       },
       field::density, field::omegaDensity);
 }

@@ -33,7 +33,7 @@ void addLoads(std::vector<Figure>& row, const Simulation<Dim>& simulation) {
   }
 }
 
-/// What came in and went out, and what balances without it.
+/// What came in and went out, and sums without it: those stay the same where no wall acts.
 template <int Dim>
 void addStreams(std::vector<Figure>& row, const Simulation<Dim>& simulation, const Conserved& c) {
   const StreamBalance<Dim>* balance = simulation.streamBalance();
@@ -41,10 +41,15 @@ void addStreams(std::vector<Figure>& row, const Simulation<Dim>& simulation, con
   row.push_back({"mass", "kg", c.mass});
   row.push_back({"mass_in", "kg", balance->massIn});
   row.push_back({"mass_out", "kg", balance->massOut});
+  row.push_back({"mass_balance", "kg", c.mass - balance->massIn + balance->massOut});
   row.push_back({"energy_in", "J", balance->energyIn});
   row.push_back({"energy_balance", "J", c.energy() - balance->energyIn});
-  for (int a = 0; a < Dim; ++a)
-    row.push_back({std::string("momentum_in_") + "xyz"[a], "kg m/s", balance->momentumIn[a]});
+  for (int a = 0; a < Dim; ++a) {
+    const double in = balance->momentumIn[a];
+    row.push_back({std::string("momentum_in_") + "xyz"[a], "kg m/s", in});
+    row.push_back({std::string("momentum_balance_") + "xyz"[a], "kg m/s",
+                   c.momentum[static_cast<std::size_t>(a)] - in});
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "engine/ordered_sum.hpp"
 #include "particles/errors.hpp"
 #include "particles/parallel.hpp"
+#include "solver/particle_energy.hpp"
 #include "solver/smoothing_lengths.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <ranges>
 
 namespace plenum {
 
@@ -33,8 +35,6 @@ void Streams<Dim>::settleBelts(const SolverSettings& settings,
                                const StepPasses<Dim>& passes, Scene<Dim>& scene) const {
   ParticleSet<Dim>& particles = scene.particles;
   const std::size_t nFluid = particles.nFluid();
-  std::ranges::copy(particles[field::density].first(nFluid),
-                    particles[field::omegaDensity].begin());
   SolverSettings withoutPlanes = settings;
   withoutPlanes.inflows.clear();
   withoutPlanes.outflows.clear();
@@ -58,8 +58,7 @@ void Streams<Dim>::settleBelts(const SolverSettings& settings,
     lengths.begin(engine, passes, belt);
     for (std::size_t k = 0; k < belt.size(); ++k) {
       const std::uint32_t i = indexOf.at(belt[field::id][k]);
-      for (const auto f : {field::smoothingLength, field::density, field::omegaDensity})
-        particles[f][i] = belt[f][k];
+      for (const auto f : {field::smoothingLength, field::density}) particles[f][i] = belt[f][k];
     }
   }
 }
@@ -95,7 +94,7 @@ typename Streams<Dim>::Fate Streams<Dim>::fateOf(const ParticleSet<Dim>& particl
 
 template <int Dim>
 void Streams<Dim>::afterMove(Engine<Dim>& engine, ParticleSet<Dim>& particles, double now,
-                             const EnergyOf& energyOf) {
+                             double dt) {
   const std::size_t n = particles.nFluid();
   std::size_t bad = n, nChanged = 0;
 #pragma omp parallel for schedule(static) reduction(min : bad) reduction(+ : nChanged)
@@ -109,12 +108,13 @@ void Streams<Dim>::afterMove(Engine<Dim>& engine, ParticleSet<Dim>& particles, d
   std::vector<std::uint32_t> removed, copied;
   for (std::uint32_t i = 0; i < n; ++i) {
     const Fate fate = fateOf(particles, i);
-    if (fate == Fate::stays) continue;
-    (fate == Fate::leaves ? removed : copied).push_back(i);
-    countIn(particles, i, fate == Fate::leaves ? -1 : 1, energyOf);
+    if (fate != Fate::stays) (fate == Fate::leaves ? removed : copied).push_back(i);
   }
+  count(particles, removed, -1, dt);
   particles.exchangeFluids(removed, copied);
-  sendBack(particles, particles.nFluid() - copied.size());
+  const std::size_t firstCopy = particles.nFluid() - copied.size();
+  sendBack(particles, firstCopy);
+  count(particles, std::views::iota(firstCopy, particles.nFluid()), 1, dt);
   engine.forget();
 }
 
@@ -132,13 +132,22 @@ void Streams<Dim>::sendBack(ParticleSet<Dim>& particles, std::size_t first) {
   }
 }
 
+/// Adds these particles to what came in (sign 1) or went out (-1). The powers of a step act in its
+/// halves, those of what was there before and of what is there after, so it counts what they have
+/// in gravity in its middle.
 template <int Dim>
-void Streams<Dim>::countIn(const ParticleSet<Dim>& particles, std::size_t i, double sign,
-                           const EnergyOf& energyOf) {
-  const double mass = particles[field::mass][i];
-  (sign > 0 ? balance_.massIn : balance_.massOut) += mass;
-  balance_.energyIn += sign * energyOf(i);
-  balance_.momentumIn += sign * mass * particles[field::velocity][i];
+template <class Indices>
+void Streams<Dim>::count(const ParticleSet<Dim>& particles, const Indices& indices, double sign,
+                         double dt) {
+  const ParticleEnergies<Dim> energies(particles, states_, gravity_);
+  double& total = sign > 0 ? balance_.massIn : balance_.massOut;
+  for (const std::size_t i : indices) {
+    const double mass = particles[field::mass][i];
+    total += mass;
+    const Vec<Dim>& v = particles[field::velocity][i];
+    balance_.energyIn += sign * (energies(i).sum() + mass * dot(gravity_, v) * dt / 2);
+    balance_.momentumIn += sign * mass * v;
+  }
 }
 
 template <int Dim>
@@ -149,13 +158,14 @@ void Streams<Dim>::failBackwards(const ParticleSet<Dim>& particles, std::size_t 
   for (const StreamPlane<Dim>& plane : planes_)
     if (nearest == nullptr || std::abs(plane.depth(x)) < std::abs(nearest->depth(x)))
       nearest = &plane;
+  const char* way = nearest->isInflow ? "out through the inflow" : "in through the outflow";
+  const double at = nearest->at, speed = -nearest->along(particles[field::velocity][i]);
   throw RunError(fmt::format(
-      "particle {} at ({:.4g}): flows back {} the {} at {} = {:g} m with {:.4g} m/s at t = {:.6g} "
+      "particle {} at ({:.4g}): flows back {} at {} = {:g} m with {:.4g} m/s at t = {:.6g} "
       "s: what is beyond a plane does not answer to the scene; move the plane further away, make "
       "the stream faster or the run shorter",
-      particles[field::id][i], fmt::join(x.components, ", "),
-      nearest->isInflow ? "out through" : "in through", nearest->isInflow ? "inflow" : "outflow",
-      "xyz"[nearest->axis], nearest -> at, -nearest -> along(particles[field::velocity][i]), now));
+      particles[field::id][i], fmt::join(x.components, ", "), way, "xyz"[nearest->axis], at, speed,
+      now));
 }
 
 template <int Dim>
@@ -163,9 +173,15 @@ void Streams<Dim>::hold(ParticleSet<Dim>& particles) {
   const auto position = std::as_const(particles)[field::position];
   const auto velocity = std::as_const(particles)[field::velocity];
   const auto mass = std::as_const(particles)[field::mass];
+  const auto density = std::as_const(particles)[field::density];
+  const auto pressure = std::as_const(particles)[field::pressure];
   const auto acceleration = particles[field::acceleration];
   std::span<double> heating;
-  if (particles.has(field::internalEnergyRate)) heating = particles[field::internalEnergyRate];
+  std::span<const double> divergence;
+  if (particles.has(field::internalEnergyRate))
+    heating = particles[field::internalEnergyRate];
+  else if (particles.has(field::velocityDivergence))
+    divergence = std::as_const(particles)[field::velocityDivergence];
   held_ = orderedSum<Rates>(particles.nFluid(), [&](std::size_t i) {
     Rates lost;
     if (planes_.beyond(position[i]) == nullptr) return lost;
@@ -175,6 +191,9 @@ void Streams<Dim>::hold(ParticleSet<Dim>& particles) {
     if (!heating.empty()) {
       lost.power += mass[i] * heating[i];
       heating[i] = 0;
+    } else if (!divergence.empty() && planes_.isDeep(position[i])) {
+      // Its density stays, and with it the energy that the pressure would store there.
+      lost.power -= mass[i] * pressure[i] / density[i] * divergence[i];
     }
     return lost;
   });

@@ -3,11 +3,11 @@
 
 #include "engine/engine.hpp"
 #include "particles/scene.hpp"
+#include "solver/equation_of_state.hpp"
 #include "solver/pair_pass.hpp"
 #include "solver/stream_planes.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,11 +31,10 @@ struct StreamBalance {
 template <int Dim>
 class Streams {
  public:
-  /// The energy of a particle [J].
-  using EnergyOf = std::function<double(std::size_t)>;
-
-  /// h: smoothing length where particles have none of their own [m].
-  Streams(const SolverSettings& settings, double h) : planes_(settings), h_(h) {}
+  /// h: smoothing length where particles have none of their own [m]; states: of the fluids; gravity
+  /// [m/s^2].
+  Streams(const SolverSettings& settings, double h, MaterialTable states, const Vec<Dim>& gravity)
+      : planes_(settings), h_(h), states_(std::move(states)), gravity_(gravity) {}
 
   /// Before the first step.
   void begin(const ParticleSet<Dim>& particles);
@@ -45,12 +44,10 @@ class Streams {
   void settleBelts(const SolverSettings& settings, const typename Engine<Dim>::Options& options,
                    const StepPasses<Dim>& passes, Scene<Dim>& scene) const;
 
-  /// To be called before and after particles move. `afterMove` adds and takes out particles.
-  /// Throws RunError for fluid that goes the wrong way through a plane; `now` [s] is for the
-  /// message.
+  /// To be called before and after particles move by v dt [s] until `now` [s]. `afterMove` adds and
+  /// takes out particles. Throws RunError for fluid that goes the wrong way through a plane.
   void beforeMove(const ParticleSet<Dim>& particles);
-  void afterMove(Engine<Dim>& engine, ParticleSet<Dim>& particles, double now,
-                 const EnergyOf& energyOf);
+  void afterMove(Engine<Dim>& engine, ParticleSet<Dim>& particles, double now, double dt);
 
   /// To be called when accelerations have been stored: takes those of held fluid, and their
   /// heating, away and notes the power that is lost so.
@@ -77,13 +74,15 @@ class Streams {
 
   Fate fateOf(const ParticleSet<Dim>& particles, std::size_t i) const;
   void sendBack(ParticleSet<Dim>& particles, std::size_t first);
-  void countIn(const ParticleSet<Dim>& particles, std::size_t i, double sign,
-               const EnergyOf& energyOf);
+  template <class Indices>
+  void count(const ParticleSet<Dim>& particles, const Indices& indices, double sign, double dt);
   [[noreturn]] void failBackwards(const ParticleSet<Dim>& particles, std::size_t i,
                                   double now) const;
 
   StreamPlanes<Dim> planes_;
   double h_;
+  MaterialTable states_;
+  Vec<Dim> gravity_;
   std::vector<std::uint8_t> wasOnBelt_;  // of each fluid particle, before it moved
   std::uint64_t nextId_ = 1;
   Rates held_;  // what was taken from held fluid when accelerations were stored last

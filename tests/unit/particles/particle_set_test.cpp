@@ -99,6 +99,61 @@ TEST(ParticleSet, PermutingAndBackIsTheIdentity) {
   for (std::uint64_t k = 0; k < 150; ++k) EXPECT_EQ(particles[field::id][k], k + 1);
 }
 
+/// Of each field the value that says which particle it belonged to.
+ParticleSet<2> numbered(std::size_t nFluid, std::size_t nWalls) {
+  ParticleSet<2> set({field::id, field::mass, field::position, field::material, field::wall},
+                     nFluid, nWalls);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    set[field::id][i] = i;
+    set[field::mass][i] = static_cast<double>(i);
+    set[field::position][i] = {{static_cast<double>(i), 0}};
+    if (i < nFluid)
+      set[field::material][i] = static_cast<std::int32_t>(i);
+    else
+      set[field::wall][i - nFluid] = static_cast<std::int32_t>(i);
+  }
+  return set;
+}
+
+void expectFluids(const ParticleSet<2>& set, const std::vector<std::uint64_t>& expected) {
+  ASSERT_EQ(set.nFluid(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(set[field::id][i], expected[i]);
+    EXPECT_EQ(set[field::mass][i], static_cast<double>(expected[i]));
+    EXPECT_EQ(set[field::position][i][0], static_cast<double>(expected[i]));
+    EXPECT_EQ(set[field::material][i], static_cast<std::int32_t>(expected[i]));
+  }
+}
+
+TEST(ParticleSet, FluidsLeaveAndCopiesJoinBeforeTheWalls) {
+  using Indices = std::vector<std::uint32_t>;
+  const auto exchanged = [](const Indices& removed, const Indices& copied,
+                            const std::vector<std::uint64_t>& expected) {
+    ParticleSet<2> set = numbered(6, 2);
+    set.exchangeFluids(removed, copied);
+    expectFluids(set, expected);
+    ASSERT_EQ(set.size(), expected.size() + 2);
+    for (std::size_t w = 0; w < 2; ++w) {
+      EXPECT_EQ(set[field::id][expected.size() + w], 6 + w);
+      EXPECT_EQ(set[field::wall][w], static_cast<std::int32_t>(6 + w));
+    }
+  };
+  exchanged({}, {}, {0, 1, 2, 3, 4, 5});
+  exchanged({1, 4}, {}, {0, 2, 3, 5});
+  exchanged({}, {5, 0}, {0, 1, 2, 3, 4, 5, 5, 0});
+  exchanged({0, 1}, {2, 3, 4}, {2, 3, 4, 5, 2, 3, 4});
+  exchanged({2, 3, 5}, {1}, {0, 1, 4, 1});
+  exchanged({5}, {5}, {0, 1, 2, 3, 4, 5});
+  exchanged({0, 1, 2, 3, 4, 5}, {}, {});
+}
+
+TEST(ParticleSet, FluidsOfASetAreCopiedWithoutWalls) {
+  const ParticleSet<2> set = numbered(6, 2).fluidsOf(std::vector<std::uint32_t>{4, 1});
+  expectFluids(set, {4, 1});
+  EXPECT_EQ(set.nWalls(), 0u);
+  EXPECT_FALSE(set.has(field::wall));
+}
+
 TEST(ParticleSet, BytesPerParticle) {
   EXPECT_EQ(ParticleSet<2>().bytesPerParticle(), 0);
   EXPECT_EQ(ParticleSet<2>({FieldId::position, FieldId::mass}, 10, 0).bytesPerParticle(), 24);

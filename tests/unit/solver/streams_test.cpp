@@ -17,7 +17,6 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <iostream>
 #include <set>
 
 namespace plenum {
@@ -39,8 +38,9 @@ SolverSettings tunnelSettings() {
   return settings;
 }
 
-/// A square lattice of 16 a metre in a tunnel of .5 m width, each row moved by an eighth of a
-/// spacing along x, with sound speed 1 and a wind of `mach`. Masses are powers of two.
+/// A lattice of 16 a metre in a tunnel of .5 m width whose rows stand an eighth of a spacing
+/// further each, so that 8 of them close over the period; sound speed 1 and a wind of `mach`.
+/// Masses are powers of two.
 template <int Dim>
 Scene<Dim> tunnel(double mach) {
   Scene<Dim> scene;
@@ -59,7 +59,7 @@ Scene<Dim> tunnel(double mach) {
                        n, 0);
   for (std::size_t i = 0; i < n; ++i) {
     const auto column = static_cast<double>(i / nRows), row = static_cast<double>(i % nRows);
-    p[field::position][i][0] = a * (column + 0.3 + 0.125 * row * (Dim > 1 ? 1 : 0) / 2);
+    p[field::position][i][0] = a * (column + std::fmod(0.3 + 0.125 * row, 1));
     if constexpr (Dim > 1) p[field::position][i][1] = a * (row + 0.5);
     p[field::velocity][i][0] = mach;
     p[field::mass][i] = std::pow(a, Dim);
@@ -85,39 +85,54 @@ void advance(Simulation<Dim>& simulation, double target) {
   simulation.advanceTo(target, [] {});
 }
 
+/// How far a wind has come from the one that it began as: the largest differences, over their
+/// values.
+struct Unevenness {
+  double velocity = 0, energy = 0, density = 0;
+};
+
+Unevenness unevennessOf(const ParticleSet<2>& p, double mach) {
+  Unevenness found;
+  double least = 1e9, most = 0;
+  for (std::size_t i = 0; i < p.nFluid(); ++i) {
+    const Vec<2> difference = p[field::velocity][i] - Vec<2>{{mach, 0}};
+    found.velocity = std::max(found.velocity, norm(difference) / mach);
+    if (p.has(field::internalEnergy)) {
+      const double energy = p[field::internalEnergy][i] * gammaOfGas * (gammaOfGas - 1);
+      found.energy = std::max(found.energy, std::abs(energy - 1));
+    }
+    const double x = p[field::position][i][0];
+    if (x < 1 || x > 3) continue;
+    least = std::min(least, p[field::density][i]);
+    most = std::max(most, p[field::density][i]);
+  }
+  found.density = most / least - 1;
+  return found;
+}
+
 TEST(Streams, AUniformWindStaysUniform) {
   for (const double mach : {0.5, 2.7})
-    for (const char* form : {"grad_h", "mean_density", ""}) {
-      SolverSettings settings = tunnelSettings();
-      if (*form == 0)
-        settings.adaptive.reset();
-      else
-        settings.adaptive->form = form;
-      settings.viscosity->monaghan->balsara = *form != 0;
-      Simulation<2> simulation(tunnel<2>(mach), settings);
-      advance(simulation, 6 / mach);  // three times the scene
-      const ParticleSet<2>& p = simulation.particles();
-      double velocity = 0, energy = 0, density = 0, least = 1e9, most = 0;
-      for (std::size_t i = 0; i < p.nFluid(); ++i) {
-        velocity = std::max(velocity, norm(p[field::velocity][i] - Vec<2>{{mach, 0}}));
-        energy = std::max(
-            energy, std::abs(p[field::internalEnergy][i] * (gammaOfGas * (gammaOfGas - 1)) - 1));
-        const double x = p[field::position][i][0];
-        if (x < 1 || x > 3) continue;
-        least = std::min(least, p[field::density][i]);
-        most = std::max(most, p[field::density][i]);
+    for (const char* state : {"ideal_gas", "isothermal"})
+      for (const char* form : {"grad_h", "mean_density", ""}) {
+        SolverSettings settings = tunnelSettings();
+        settings.equationOfState = state;
+        settings.soundSpeed = 1;
+        // Lengths at the start are as alike as the iterations make them.
+        settings.adaptive->tolerance = 1e-13;
+        if (*form == 0)
+          settings.adaptive.reset();
+        else
+          settings.adaptive->form = form;
+        settings.viscosity->monaghan->balsara = *form != 0;
+        Simulation<2> simulation(tunnel<2>(mach), settings);
+        advance(simulation, 6 / mach);  // three times the scene
+        const Unevenness found = unevennessOf(simulation.particles(), mach);
+        // Forces of a lattice cancel to rounding, which adds up over some hundred steps.
+        EXPECT_LT(found.velocity, 1e-11) << mach << state << form;
+        EXPECT_LT(found.energy, 1e-11) << mach << state << form;
+        EXPECT_LT(found.density, 1e-11) << mach << state << form;
+        EXPECT_EQ(simulation.particles().nFluid(), 512u) << mach << state << form;
       }
-      density = most / least - 1;
-      std::cout << "  Mach " << mach << ", " << form << ": velocity " << velocity << ", energy "
-                << energy << ", density " << density << "\n";
-      // Forces of a lattice cancel to rounding, which adds up over some hundred steps. With the
-      // mean density the gas beyond the outflow starts with densities that are no sums.
-      const double tolerance = std::string(form) == "mean_density" ? 1e-3 : 1e-11;
-      EXPECT_LT(velocity, tolerance) << mach << form;
-      EXPECT_LT(energy, tolerance) << mach << form;
-      EXPECT_LT(density, tolerance) << mach << form;
-      EXPECT_EQ(p.nFluid(), 512u) << mach << form;
-    }
 }
 
 TEST(Streams, WhatCameInLessWhatLeftIsTheChangeOfMass) {
@@ -133,30 +148,77 @@ TEST(Streams, WhatCameInLessWhatLeftIsTheChangeOfMass) {
   EXPECT_EQ(std::set<std::uint64_t>(ids.begin(), ids.end()).size(), ids.size());
 }
 
-/// The change that is left of energy and of momentum along x.
-std::pair<double, double> imbalance(int nSteps) {
-  SolverSettings settings = tunnelSettings();
-  settings.adaptive->tolerance = 1e-12;
-  settings.viscosity.reset();
-  Simulation<2> simulation(hump(1.5), settings);
+/// The change that is left of energy and of momentum along x, after waves have gone through the
+/// planes: those of the inflow, too, where the wind is slower than they are.
+std::pair<double, double> imbalance(double mach, const SolverSettings& settings, int nSteps) {
+  Simulation<2> simulation(hump(mach), settings);
   const Conserved before = measureConserved(simulation);
-  for (int k = 0; k < nSteps; ++k) simulation.step(0.5 / nSteps);
+  for (int k = 0; k < nSteps; ++k) simulation.step(1.0 / nSteps);
   const Conserved after = measureConserved(simulation);
   const StreamBalance<2>& balance = *simulation.streamBalance();
   return {after.energy() - before.energy() - balance.energyIn,
           after.momentum[0] - before.momentum[0] - balance.momentumIn[0]};
 }
 
-TEST(Streams, EnergyAndMomentumBalance) {
-  const auto [coarse, momentum] = imbalance(80);
-  const auto [fine, sameMomentum] = imbalance(160);
-  std::cout << "  energy " << coarse << ", " << fine << ", momentum " << momentum << ", "
-            << sameMomentum << "\n";
-  // Energy is kept to second order of the step, of about 5 J in all; momentum to rounding.
-  EXPECT_LT(std::abs(coarse), 1e-4);
-  EXPECT_GT(std::log2(std::abs(coarse / fine)), 1.6);
-  EXPECT_LT(std::abs(momentum), 1e-12);
-  EXPECT_LT(std::abs(sameMomentum), 1e-12);
+SolverSettings exactLengths() {
+  SolverSettings settings = tunnelSettings();
+  settings.adaptive->tolerance = 1e-12;
+  return settings;
+}
+
+TEST(Streams, EnergyBalancesToSecondOrderAndMomentumToRounding) {
+  struct Flow {
+    double mach;
+    bool isViscous;
+    const char* form;
+  };
+  for (const Flow flow :
+       {Flow{0.5, true, "grad_h"}, Flow{1.5, false, "grad_h"}, Flow{0.5, false, "mean_density"}}) {
+    SolverSettings settings = exactLengths();
+    settings.adaptive->form = flow.form;
+    if (!flow.isViscous) settings.viscosity.reset();
+    const auto [coarse, momentum] = imbalance(flow.mach, settings, 640);
+    const auto [fine, sameMomentum] = imbalance(flow.mach, settings, 1280);
+    // Of some 4 J. As for the same gas in a periodic box, the order is 2 for short steps only:
+    // terms of higher order have the other sign.
+    EXPECT_LT(std::abs(coarse), 1e-6) << flow.mach << flow.form;
+    EXPECT_GT(std::log2(coarse / fine), 1.6) << flow.mach << flow.form;
+    // Of 1 kg m/s and more, in a thousand steps.
+    EXPECT_LT(std::abs(momentum), 1e-13) << flow.mach << flow.form;
+    EXPECT_LT(std::abs(sameMomentum), 1e-13) << flow.mach << flow.form;
+  }
+}
+
+TEST(Streams, SoDoesTheEnergyOfGasThatFalls) {
+  SolverSettings settings = exactLengths();
+  settings.viscosity.reset();
+  settings.gravity = {0.3, 0};
+  const double coarse = imbalance(1.5, settings, 640).first;
+  const double fine = imbalance(1.5, settings, 1280).first;
+  EXPECT_LT(std::abs(coarse), 1e-6) << "of some 4 J";
+  EXPECT_GT(std::log2(coarse / fine), 1.6);
+}
+
+TEST(Streams, AnIsothermalGasBalancesToFirstOrder) {
+  SolverSettings settings = exactLengths();
+  settings.viscosity.reset();
+  settings.equationOfState = "isothermal";
+  settings.soundSpeed = 1;
+  const auto left = [&](int nSteps) {
+    Scene<2> scene = tunnel<2>(1.5);
+    for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+      const Vec<2> r = scene.particles[field::position][i] - Vec<2>{{2, 0.25}};
+      scene.particles[field::velocity][i] += 2 * std::exp(-60 * normSquared(r)) * r;
+    }
+    Simulation<2> simulation(std::move(scene), settings);
+    const double before = measureConserved(simulation).energy();
+    for (int k = 0; k < nSteps; ++k) simulation.step(1.0 / nSteps);
+    return measureConserved(simulation).energy() - before - simulation.streamBalance()->energyIn;
+  };
+  // Where particles come to keep their density, they do so somewhere in a step.
+  const double coarse = left(160), fine = left(320);
+  EXPECT_LT(std::abs(coarse), 1e-4) << "of some 2 J";
+  EXPECT_GT(std::log2(coarse / fine), 0.8);
 }
 
 /// Isothermal gas that comes in at both ends at Mach 2 and meets in the middle.
@@ -199,11 +261,11 @@ TEST(Streams, CollidingStreamsMakeTheExactShocks) {
     ++n;
   }
   const double relative = error / n / exact.left().behind.density;
-  std::cout << "  relative L1 of the density " << relative << " of " << n << " particles\n";
   EXPECT_NEAR(exact.left().behind.density, 5.828, 1e-3);
   // The shocks are some ten spacings of the gas behind them wide, and there are two of them among
-  // some 650 particles; with free ends the same streams give .0037 at t = 5 (cases/colliding_streams.toml).
-  EXPECT_LT(relative, 0.01);
+  // some 650 particles: .0041; with free ends the same streams give .0037 at t = 5
+  // (cases/colliding_streams.toml).
+  EXPECT_LT(relative, 0.006);
 }
 
 TEST(Streams, ARunThatStopsGoesOnWithTheSameBits) {
@@ -256,8 +318,11 @@ TEST(Streams, TheHistoryHasTheBalance) {
   EXPECT_DOUBLE_EQ(valueOf(row, "mass"), 2);
   EXPECT_NEAR(valueOf(row, "mass_in"), 0.25, 8.0 / 256) << "to a column of the lattice";
   EXPECT_NEAR(valueOf(row, "mass_out"), 0.25, 8.0 / 256);
+  EXPECT_DOUBLE_EQ(valueOf(row, "mass_balance"), 2) << "as at the start";
   EXPECT_DOUBLE_EQ(valueOf(row, "energy_balance"),
                    valueOf(row, "energy_total") - valueOf(row, "energy_in"));
+  EXPECT_NEAR(valueOf(row, "momentum_balance_x"), 2, 1e-12)
+      << "to rounding: what came in is what left";
   SolverSettings closed = tunnelSettings();
   closed.inflows.clear();
   closed.outflows.clear();
