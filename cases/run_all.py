@@ -25,8 +25,11 @@ def conservation(folder):
     """How energy and momentum went, from history.csv."""
     with open(folder / "history.csv") as f:
         rows = list(csv.DictReader(f))
-    momentum = [drift(rows, f"momentum_{a} [kg m/s]") for a in "xyz"]
-    first, last = (float(rows[k]["energy_total [J]"]) for k in (0, -1))
+    # Where gas comes in and leaves: without what it brought and took away.
+    isOpen = "energy_balance [J]" in rows[0]
+    energy, momentum_of = ("energy_balance", "momentum_balance_") if isOpen else ("energy_total", "momentum_")
+    momentum = [drift(rows, f"{momentum_of}{a} [kg m/s]") for a in "xyz"]
+    first, last = (float(rows[k][f"{energy} [J]"]) for k in (0, -1))
     return {"energy_first": first, "energy_last": last, "energy_drift": last - first,
             "momentum_drift": max(m for m in momentum if m is not None)}
 

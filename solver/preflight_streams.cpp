@@ -22,12 +22,16 @@ class PlaneCheck {
              const SolverSettings& settings, const StreamPlane<Dim>& plane)
       : info_(info), particles_(particles), settings_(settings), plane_(plane) {}
 
+  /// A state that has run is asked for less: waves may have reached the belt, and gas of any
+  /// density the outflow.
   void operator()() const {
-    checkLength();
+    const bool hasRun = info_.time > 0, isAsGiven = !hasRun || plane_.isInflow;
+    if (isAsGiven) checkLength();
     checkFluid();
+    if (isAsGiven) checkReach();
     checkDirection();
-    if (plane_.isInflow) checkPeriods();
-    checkWalls();
+    if (isAsGiven) checkWalls();
+    if (plane_.isInflow && !hasRun) checkPeriods();
   }
 
  private:
@@ -64,17 +68,19 @@ class PlaneCheck {
                     plane_.length, least));
   }
 
-  /// The fluid must reach through the plane to the end of the length, and no further.
+  std::size_t deepestParticle() const {
+    std::size_t deepest = 0;
+    for (std::size_t i = 1; i < particles_.nFluid(); ++i)
+      if (depthOf(i) > depthOf(deepest)) deepest = i;
+    return deepest;
+  }
+
+  /// Fluid must stand on both sides of the plane, and no further beyond than it is held.
   void checkFluid() const {
-    double deepest = -std::numeric_limits<double>::infinity(), highest = deepest, spacing = 0;
-    std::size_t last = 0;
-    for (std::size_t i = 0; i < particles_.nFluid(); ++i) {
-      highest = std::max(highest, -depthOf(i));
-      if (depthOf(i) <= deepest) continue;
-      deepest = depthOf(i);
-      spacing = spacingOf(i);
-      last = i;
-    }
+    const std::size_t last = deepestParticle();
+    const double deepest = depthOf(last);
+    double highest = -deepest;
+    for (std::size_t i = 0; i < particles_.nFluid(); ++i) highest = std::max(highest, -depthOf(i));
     if (!(deepest > 0 && highest > 0))
       refuse(
           fmt::format("lies outside of the fluid, which reaches from {:.6g} to {:.6g} m there; "
@@ -87,11 +93,16 @@ class PlaneCheck {
           fmt::format("has length = {:g} m, and particle {} stands {:.6g} m beyond the plane; "
                       "make length as long as the fluid reaches, or the fluid's region shorter",
                       plane_.length, particles_[field::id][last], deepest));
-    if (deepest < plane_.length - 1.5 * spacing)
+  }
+
+  void checkReach() const {
+    const std::size_t last = deepestParticle();
+    const double deepest = depthOf(last);
+    if (deepest < plane_.length - 1.5 * spacingOf(last))
       refuse(
           fmt::format("has length = {:g} m, and fluid reaches only {:.6g} m beyond the plane; "
                       "let its region reach to {:g} m, or make length shorter",
-                      plane_.length, deepest, plane_.at + plane_.outward * plane_.length));
+                      plane_.length, deepest, plane_.end()));
   }
 
   void checkDirection() const {

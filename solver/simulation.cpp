@@ -20,10 +20,12 @@ namespace plenum {
 
 namespace {
 
-/// The scene itself, after the checks that everything else relies on.
+/// The scene itself, after the checks that everything else relies on. Its domain reaches as far as
+/// gas is held beyond planes.
 template <int Dim>
 Scene<Dim>& checked(Scene<Dim>& scene, const SolverSettings& settings) {
   checkBeforeRun(scene.info, scene.particles, settings);
+  scene.info.domain = StreamPlanes<Dim>(settings).covering(scene.info.domain);
   return scene;
 }
 

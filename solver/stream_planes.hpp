@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "particles/box.hpp"
 #include "particles/case_settings.hpp"
 #include "particles/vec.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace plenum {
@@ -18,6 +20,8 @@ struct StreamPlane {
   double length = 0;    ///< of the held fluid [m]
   bool isInflow = true;
 
+  /// Where the held fluid ends, along the axis [m].
+  double end() const { return at + outward * length; }
   double depth(const Vec<Dim>& x) const { return outward * (x[axis] - at); }
   /// The part of a velocity that points into the stream's direction: in at an inflow, out at an
   /// outflow [m/s].
@@ -50,6 +54,16 @@ class StreamPlanes {
     for (const StreamPlane<Dim>& plane : planes_)
       if (plane.depth(x) > 0.5 * plane.length) return true;
     return false;
+  }
+
+  /// A box that covers what is held beyond the planes, too.
+  Box<Dim> covering(Box<Dim> box) const {
+    for (const StreamPlane<Dim>& plane : planes_) {
+      double &lower = box.lower[plane.axis], &upper = box.upper[plane.axis];
+      lower = std::min(lower, plane.end());
+      upper = std::max(upper, plane.end());
+    }
+    return box;
   }
 
  private:

@@ -49,8 +49,8 @@ void Streams<Dim>::settleBelts(const SolverSettings& settings,
         indexOf[particles[field::id][i]] = i;
       }
     Box<Dim> domain = scene.info.domain;
-    domain.lower[plane.axis] = std::min(plane.at, plane.at + plane.outward * plane.length);
-    domain.upper[plane.axis] = std::max(plane.at, plane.at + plane.outward * plane.length);
+    domain.lower[plane.axis] = std::min(plane.at, plane.end());
+    domain.upper[plane.axis] = std::max(plane.at, plane.end());
     domain.periodic[static_cast<std::size_t>(plane.axis)] = true;
     ParticleSet<Dim> belt = particles.fluidsOf(indices);
     Engine<Dim> engine(domain, options);

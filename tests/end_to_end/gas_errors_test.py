@@ -46,6 +46,66 @@ class GasErrors(Programs):
                      "solver.time_step=", "out/gas_failed.hdf", code=2)
         self.assertIn("0.02", self.ok(SPH, "info", self.path("out", "gas_failed.hdf")))
 
+    def tunnel(self, *sets, edit=None):
+        """The command that makes the open wind tunnel, with its text changed by edit(text)."""
+        with open(f"{CASES}/blob_wind_tunnel_2d_open.toml") as file:
+            text = file.read()
+        case = self.write("tunnel.toml", edit(text) if edit else text)
+        return (IC, "generate", case, "-q", "--no-report", "--quick", "-o", "gas.hdf",
+                *(word for value in sets for word in ("--set", value)))
+
+    def no_stream(self, sets, *expected, edit=None, code=1):
+        self.ok(*self.tunnel(*sets, edit=edit))
+        line = self.refused((SPH, "run", "gas.hdf", "-q", "-o", "out"), *expected, code=code)
+        if code == 1:
+            self.assertFalse(os.path.exists(self.path("out", "history.csv")), line)
+        return line
+
+    def test_an_inflow_that_meets_a_wall(self):
+        def with_post(lower):
+            """A post of 1 m by 2 m in the tunnel."""
+            wind = 'wind   = { difference = ["tunnel", "blob"] }'
+            post = f"post = {{ box = {{ lower = [{lower}, -1], upper = [{lower + 1}, 1] }} }}\n"
+            return lambda text: text.replace(
+                wind, post + wind.replace('"blob"', '"blob", "post"')).replace(
+                "\n[solver]", '\n[[wall]]\nname = "grid"\nregion = "post"\n\n[solver]')
+        for lower, where in ((-5.2, "beyond the plane"), (-4, "m from the plane")):
+            self.no_stream([], "tunnel.toml: [[solver.inflow]]", "at = -4.5", 'side = "lower"',
+                           'meets wall "grid"', where, "keep walls 1.4", "away from the plane",
+                           edit=with_post(lower))
+        self.no_stream([], "tunnel.toml: [[solver.outflow]]", "at = 13", 'meets wall "grid"',
+                       edit=with_post(11.5))
+
+    def test_planes_where_there_is_no_stream(self):
+        self.no_stream(["solver.inflow[0].at=-40"], "tunnel.toml: [[solver.inflow]]", "at = -40",
+                       "outside of the fluid", "from -5.9", "to 14.9", "move the plane")
+        self.no_stream(["solver.inflow[0].length=1"], "[[solver.inflow]]", "length = 1 m",
+                       "less than twice the kernel's support, 1.49", "set length")
+        self.no_stream(["solver.inflow[0].length=2"], "[[solver.inflow]]", "length = 2 m",
+                       "reaches only 1.4", "or make length shorter")
+        self.no_stream(["solver.inflow[0].at=-4.4", "solver.inflow[0].length=1.6"],
+                       "[[solver.inflow]]", "whole periods", "set length = 1.")
+        self.no_stream(["fluid[1].velocity=[-2.7, 0]"], "[[solver.inflow]]", "does not come in",
+                       "-2.7 m/s", "give the [[fluid]] there a velocity")
+        self.no_stream(['domain.periodic=["x", "y"]'], "[[solver.inflow]]", "periodic axis x",
+                       "domain.periodic")
+
+    def test_streams_that_cannot_be(self):
+        self.no_stream(["solver.integrator=symplectic_euler"], "solver.inflow", "kick_drift_kick")
+        line = self.refused(self.tunnel(edit=lambda text: text.replace('side   = "lower"',
+                                                                       'axis = "z"')),
+                            "inflow[0].axis", "a 2-D case has no axis z")
+        self.assertRegex(line, r"tunnel\.toml:\d+:")
+        self.refused(self.tunnel("solver.inflow[0].length=-1"), "length = -1", "> 0")
+        self.refused(self.tunnel("solver.inflow[0].depth=1"), "depth", "unknown key")
+
+    def test_gas_that_flows_back_stops_the_run(self):
+        """A cloud that bursts in a slow wind throws gas against it."""
+        line = self.no_stream(["fluid[1].velocity=[0.2, 0]", "fluid[0].pressure=60"], "particle ",
+                              "flows back out through the inflow at x = -4.5 m",
+                              "move the plane further away", "out/gas_failed.hdf", code=2)
+        self.assertRegex(line, r"with [\d.]+ m/s at t = \d")
+
 
 if __name__ == "__main__":
     unittest.main()
