@@ -243,22 +243,17 @@ struct CoreTriangle {
   }
 };
 
+template <class... Profiles>
+struct ProfileList {};
+
 /// All profiles, in the order of `KernelId`.
+using AllProfiles = ProfileList<CubicSpline, QuarticLiu, QuarticSpline, QuinticSpline, WendlandC2,
+                                WendlandC4, WendlandC6, WendlandC2OneD, WendlandQuadratic, Convex,
+                                SchuesslerSchmitt, JohnsonBeissel, CoreTriangle>;
+
 template <class Visit>
 constexpr void forEachProfile(Visit&& visit) {
-  visit(CubicSpline{});
-  visit(QuarticLiu{});
-  visit(QuarticSpline{});
-  visit(QuinticSpline{});
-  visit(WendlandC2{});
-  visit(WendlandC4{});
-  visit(WendlandC6{});
-  visit(WendlandC2OneD{});
-  visit(WendlandQuadratic{});
-  visit(Convex{});
-  visit(SchuesslerSchmitt{});
-  visit(JohnsonBeissel{});
-  visit(CoreTriangle{});
+  [&]<class... Profiles>(ProfileList<Profiles...>) { (visit(Profiles{}), ...); }(AllProfiles{});
 }
 
 }  // namespace kernel
@@ -305,13 +300,14 @@ consteval int indexOf() {
   return index;
 }
 
-/// Calls `visit(profile)` with the profile that `id` names.
+/// Calls `visit(profile)` with the profile that `id` names. One chain of comparisons, which
+/// compilers make a jump of: pair loops ask for each pack of pairs.
 template <class Visit>
-constexpr void withProfile(KernelId id, Visit&& visit) {
-  int k = 0;
-  forEachProfile([&](auto profile) {
-    if (k++ == id.index()) visit(profile);
-  });
+[[gnu::always_inline]] constexpr void withProfile(KernelId id, Visit&& visit) {
+  [&]<class... Profiles>(ProfileList<Profiles...>) {
+    int k = 0;
+    ((k++ == id.index() && (visit(Profiles{}), true)) || ...);
+  }(AllProfiles{});
 }
 
 /// The profile chosen at run time: one pair loop for all kernels that no scene made fast.

@@ -94,7 +94,7 @@ constexpr int indexOf() {
 
 /// Calls `visit` with the profile that the loops for a kernel have: in float tuned ones for the
 /// kernels that scenes name, or for the default kernel only; the others, and double, where speed
-/// matters less, share those of kernel::Any, which take about twice the time.
+/// matters less, share those of kernel::Any, which take about a third more time.
 template <int Dim, class T, bool usesKernel, bool isTuned, class Visit>
 constexpr void withLoopProfile(int id, Visit&& visit) {
   if constexpr (!usesKernel)

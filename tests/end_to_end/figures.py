@@ -8,7 +8,7 @@ import subprocess
 FOLDER = os.environ.get("PLENUM_FIGURES")
 if FOLDER:
     FOLDER = os.path.abspath(FOLDER)
-COLOURS = ("#0b5394", "#b45f06", "#38761d", "#741b47", "#666666")
+COLOURS = ("#0b5394", "#b45f06", "#38761d", "#741b47", "#666666", "#20a4b8")
 
 
 def table(name, rows):
