@@ -12,19 +12,20 @@ namespace plenum::bench {
 
 /// What is set up once, in a process of its own.
 struct Case {
-  std::string scene;  ///< "dam_break" or "quiet_gas"
+  std::string scene;  ///< "dam_break", "quiet_gas" or "ideal_gas"
   int dimension = 2;
   std::string precision;  ///< "mixed" or "double"
   std::size_t n = 0;      ///< fluid particles, about
 
   bool isDamBreak() const { return scene == "dam_break"; }
+  bool isIdealGas() const { return scene == "ideal_gas"; }
   std::string name() const { return fmt::format("{}/{}d/{}/n:{}", scene, dimension, precision, n); }
   auto operator<=>(const Case&) const = default;
 };
 
 /// What the command line asks for.
 struct Choice {
-  std::vector<std::string> scenes{"dam_break", "quiet_gas"};
+  std::vector<std::string> scenes{"dam_break", "quiet_gas", "ideal_gas"};
   std::vector<int> dimensions{2, 3};
   std::vector<std::string> precisions{"mixed", "double"};
   std::vector<int> threads;

@@ -7,9 +7,10 @@ import subprocess
 import sys
 
 COLOURS = {("dam_break", 1): "#0b5394", ("dam_break", 2): "#6fa8dc",
-           ("quiet_gas", 1): "#b45f06", ("quiet_gas", 2): "#f6b26b"}
+           ("quiet_gas", 1): "#b45f06", ("quiet_gas", 2): "#f6b26b",
+           ("ideal_gas", 1): "#38761d", ("ideal_gas", 2): "#93c47d"}
 OTHER_COLOUR = "#666666"
-SCENES = {"dam_break": "dam break", "quiet_gas": "quiet gas"}
+SCENES = {"dam_break": "dam break", "quiet_gas": "quiet gas", "ideal_gas": "ideal gas"}
 
 
 LEAST_SHARE_OF_CORES = 0.8  # as in bench/suite.hpp

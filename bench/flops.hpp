@@ -47,4 +47,15 @@ constexpr Flops quietGasFlops(int d) {
       0.5 * (distance(d) + gradient + approach(d) + pressure + monaghanViscosity + 1 + force(d))};
 }
 
+/// Kernels and gradients of both smoothing lengths, each with R = r/h of its own (1). Density and
+/// Omega rho: a side m_j W (2) and m_j F r^2 (3). Forces: P_i F_i + P_j F_j, times m_i m_j (4);
+/// viscosity with beta (2), the mean of the two F (2), half its work a side (1 + 2); rate of the
+/// density: a side m_j F v.r (3).
+constexpr Flops idealGasFlops(int d) {
+  const int shared = distance(d) - 1 + 2 * (1 + gradient);
+  return {0.5 * (shared + 2 * kernel + 2 * (2 + 3)),
+          0.5 * (shared + approach(d) + 4 + monaghanViscosity + 1 + 2 + 2 + (1 + 2) + 2 * 3 +
+                 force(d))};
+}
+
 }  // namespace plenum::bench

@@ -24,13 +24,23 @@ struct NeighbourCount {
   }
 };
 
-}  // namespace
+/// The same within twice the smoothing length of the receiver.
+struct NeighbourCountOfLengths {
+  static constexpr FieldSet reads{field::mass, field::smoothingLength};
+  static constexpr FieldSet writes{field::density};
+  static constexpr bool usesKernel = false;
 
-template <int Dim>
-Interactions countInteractions(Engine<Dim>& engine, const ParticleSet<Dim>& particles,
-                               bool wallsReceive) {
-  const double support = engine.support();
-  const Pass<NoKernel, NeighbourCount> pass{{}, support / 2, {NeighbourCount{support}}};
+  template <class Real, int Dim>
+  [[gnu::always_inline]] void operator()(const Pair<Real, Dim>& ij, Sums<Real, Dim>& i) const {
+    const Real support = Real(2) * ij.i.smoothingLength;
+    i.density += select(ij.distanceSquared < support * support, Real(1), Real(0));
+  }
+};
+
+template <int Dim, class Term>
+Interactions sumOf(Engine<Dim>& engine, const ParticleSet<Dim>& particles, bool wallsReceive,
+                   const Term& term) {
+  const Pass<NoKernel, Term> pass{{}, engine.support() / 2, {term}};
   engine.run(
       passOf<Dim>(pass, wallsReceive ? Group::all : Group::fluids, Group::all, engine.units()),
       particles);
@@ -45,6 +55,16 @@ Interactions countInteractions(Engine<Dim>& engine, const ParticleSet<Dim>& part
       });
   });
   return count;
+}
+
+}  // namespace
+
+template <int Dim>
+Interactions countInteractions(Engine<Dim>& engine, const ParticleSet<Dim>& particles,
+                               bool wallsReceive) {
+  if (particles.has(field::smoothingLength))
+    return sumOf(engine, particles, wallsReceive, NeighbourCountOfLengths{});
+  return sumOf(engine, particles, wallsReceive, NeighbourCount{engine.support()});
 }
 
 template Interactions countInteractions<2>(Engine<2>&, const ParticleSet<2>&, bool);

@@ -5,7 +5,8 @@
 
 namespace plenum::bench {
 
-/// Ordered pairs (i, j), i != j, within the support: what the sums of i run over.
+/// Ordered pairs (i, j), i != j, within the support, which may be one of i: what the sums of i run
+/// over.
 struct Interactions {
   double all = 0;       ///< i is any particle that receives sums
   double ofFluids = 0;  ///< i is fluid

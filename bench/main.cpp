@@ -24,12 +24,16 @@ const char* const description =
   plenum-bench                                  1e4 to 1e6 particles, some minutes
   plenum-bench --largest 1e7 --filter dam_break three gigabytes and more
   plenum-bench --largest 1e5 --threads 1 --dimensions 3 --precisions mixed
+  plenum-bench --scenes ideal_gas --threads 1 --smallest 1e5 --largest 1e5
 
 Scenes: dam_break (continuity, pressure, Monaghan's viscosity, walls that carry
 density) and quiet_gas (density by summation, pressure, viscosity, periodic);
-wendland_c2 with 33 neighbours in 2-D and about 97 in 3-D. Dam breaks of up to
-1e5 particles are run from rest until the column has collapsed (once; the state
-is kept in the folder --states), larger ones are made to look like that (*).
+wendland_c2 with 33 neighbours in 2-D and about 97 in 3-D. ideal_gas (smoothing
+lengths by iteration, grad-h forces, energy equation, viscosity, kick-drift-kick,
+periodic): 23 and 57.
+Dam breaks of up to 1e5 particles are run from rest until the column has
+collapsed (once; the state is kept in the folder --states), larger ones are made
+to look like that (*).
 
 ns/interaction  the time of a step over the number of true interactions: pairs
                 closer than the kernel's support, both directions, each counted
@@ -62,9 +66,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1e3, 1e9));
   app.add_option("--largest", choice.largest, "and of the largest, in powers of ten [1e6]")
       ->check(CLI::Range(1e3, 1e9));
-  app.add_option("--scenes", choice.scenes, "dam_break, quiet_gas [both]")
+  app.add_option("--scenes", choice.scenes, "dam_break, quiet_gas, ideal_gas [all]")
       ->delimiter(',')
-      ->check(CLI::IsMember({"dam_break", "quiet_gas"}));
+      ->check(CLI::IsMember({"dam_break", "quiet_gas", "ideal_gas"}));
   app.add_option("--dimensions", choice.dimensions, "2, 3 [both]")
       ->delimiter(',')
       ->check(CLI::IsMember({2, 3}));

@@ -166,25 +166,66 @@ Setup<Dim> damBreakMade(std::size_t n) {
   return made;
 }
 
+namespace {
+
+/// About `n` particles of a lattice that fits a periodic box.
+template <int Dim>
+Scene<Dim> periodicBox(std::size_t n) {
+  const double edge = std::pow(static_cast<double>(n) * particleVolume<Dim>(), 1.0 / Dim);
+  // Even numbers of rows, so that the lattice fits the periods.
+  Vec<Dim> size;
+  const double steps[] = {1, std::sqrt(0.75), std::sqrt(2.0 / 3)};
+  for (int a = 0; a < Dim; ++a) size[a] = 2 * std::round(edge / steps[a] / 2) * steps[a];
+  Scene<Dim> scene = sceneOf<Dim>(lattice<Dim>({}, size), {});
+  scene.info.domain.upper = size;
+  scene.info.domain.periodic.fill(true);
+  return scene;
+}
+
+/// Sets v_a = amplitude sin(2 pi x_b/L_b), b the axis `shift` after a, of `axes` components.
+template <int Dim>
+void setWaves(Scene<Dim>& scene, double amplitude, int axes, int shift) {
+  const auto velocity = scene.particles[field::velocity];
+  const auto position = std::as_const(scene.particles)[field::position];
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    for (int a = 0; a < axes; ++a) {
+      const int b = (a + shift) % Dim;
+      velocity[i][a] =
+          amplitude * std::sin(2 * std::numbers::pi * position[i][b] / scene.info.domain.upper[b]);
+    }
+}
+
+}  // namespace
+
 template <int Dim>
 Setup<Dim> quietGas(std::size_t n) {
   Setup<Dim> made;
   made.settings = commonSettings<Dim>();
   made.settings.density = "summation";
   made.settings.backgroundPressure = density * soundSpeed * soundSpeed / 7;
-  const double edge = std::pow(static_cast<double>(n) * particleVolume<Dim>(), 1.0 / Dim);
-  // Even numbers of rows, so that the lattice fits the periods.
-  Vec<Dim> size;
-  const double steps[] = {1, std::sqrt(0.75), std::sqrt(2.0 / 3)};
-  for (int a = 0; a < Dim; ++a) size[a] = 2 * std::round(edge / steps[a] / 2) * steps[a];
-  made.scene = sceneOf<Dim>(lattice<Dim>({}, size), {});
-  made.scene.info.domain.upper = size;
-  made.scene.info.domain.periodic.fill(true);
-  const auto velocity = made.scene.particles[field::velocity];
-  const auto position = made.scene.particles[field::position];
-  const double k = 2 * std::numbers::pi / size[0];
-  for (std::size_t i = 0; i < velocity.size(); ++i)
-    velocity[i][0] = 0.01 * soundSpeed * std::sin(k * position[i][0]);
+  made.scene = periodicBox<Dim>(n);
+  setWaves(made.scene, 0.01 * soundSpeed, 1, 0);
+  return made;
+}
+
+template <int Dim>
+Setup<Dim> idealGas(std::size_t n) {
+  Setup<Dim> made;
+  SolverSettings& s = made.settings;
+  s = commonSettings<Dim>();
+  s.smoothingLength = Dim == 2 ? 1.35 : 1.194;  // 23 and 57 neighbours
+  s.density = "summation";
+  s.equationOfState = "ideal_gas";
+  s.adaptive = AdaptiveSettings{};
+  s.viscosity = ViscositySettings{MonaghanSettings{1, 2}};
+  s.integrator = "kick_drift_kick";
+  made.scene = periodicBox<Dim>(n);
+  setWaves(made.scene, 0.3 * soundSpeed, Dim, 1);
+  ParticleSet<Dim>& particles = made.scene.particles;
+  particles.add(FieldSet{field::internalEnergy});
+  const double gamma = s.adiabaticIndex;
+  std::ranges::fill(particles[field::internalEnergy],
+                    soundSpeed * soundSpeed / (gamma * (gamma - 1)));
   return made;
 }
 
@@ -194,5 +235,7 @@ template Setup<2> damBreakMade<2>(std::size_t);
 template Setup<3> damBreakMade<3>(std::size_t);
 template Setup<2> quietGas<2>(std::size_t);
 template Setup<3> quietGas<3>(std::size_t);
+template Setup<2> idealGas<2>(std::size_t);
+template Setup<3> idealGas<3>(std::size_t);
 
 }  // namespace plenum::bench

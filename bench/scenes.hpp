@@ -6,8 +6,8 @@
 
 namespace plenum::bench {
 
-/// What a Simulation is made of. d_ref = 1 m and c = 100 m/s in all scenes; wendland_c2 with 33
-/// neighbours in 2-D and about 97 in 3-D.
+/// What a Simulation is made of. d_ref = 1 m and c = 100 m/s in all scenes; wendland_c2, in liquids
+/// with 33 neighbours in 2-D and about 97 in 3-D, in the ideal gas with 23 and 57.
 template <int Dim>
 struct Setup {
   Scene<Dim> scene;
@@ -30,5 +30,10 @@ Setup<Dim> damBreakMade(std::size_t n);
 /// A gas at rest but for sound, in a periodic box; density by summation.
 template <int Dim>
 Setup<Dim> quietGas(std::size_t n);
+
+/// An ideal gas with sheared motion of .3 c in a periodic box: smoothing lengths by iteration,
+/// grad-h forces, energy equation, Monaghan's viscosity with beta, kick-drift-kick.
+template <int Dim>
+Setup<Dim> idealGas(std::size_t n);
 
 }  // namespace plenum::bench

@@ -139,9 +139,10 @@ std::function<Measurement(const Request&)> make(const Case& c, const Choice& cho
   const std::size_t bytesBefore = presentMemory();
   omp_set_num_threads(omp_get_num_procs());
   const bool isRunning = isReallyRun(c, choice);
-  Setup<Dim> setup = !c.isDamBreak() ? quietGas<Dim>(c.n)
-                     : isRunning     ? damBreakRunning<Dim>(c.n, choice.states)
-                                     : damBreakMade<Dim>(c.n);
+  Setup<Dim> setup = c.isIdealGas()    ? idealGas<Dim>(c.n)
+                     : !c.isDamBreak() ? quietGas<Dim>(c.n)
+                     : isRunning       ? damBreakRunning<Dim>(c.n, choice.states)
+                                       : damBreakMade<Dim>(c.n);
   setup.settings.precision = c.precision;
   const auto probe = std::make_shared<StepProbe<Dim>>(std::move(setup), isRunning, bytesBefore);
   return [probe](const Request& request) { return probe->measure(request); };

@@ -48,7 +48,9 @@ class Collector : public benchmark::BenchmarkReporter {
 
 void setCounters(benchmark::UserCounters& counters, const Case& c, int threads,
                  const Measurement& m) {
-  const Flops flops = c.isDamBreak() ? damBreakFlops(c.dimension) : quietGasFlops(c.dimension);
+  const Flops flops = c.isDamBreak()   ? damBreakFlops(c.dimension)
+                      : c.isIdealGas() ? idealGasFlops(c.dimension)
+                                       : quietGasFlops(c.dimension);
   const double work = m.interactions.all * flops.density + m.interactions.ofFluids * flops.forces;
   // The share of the pair loops is known by the wall clock.
   const double pairShare = m.partSeconds[static_cast<int>(Part::pairs)] / m.wallSeconds;
