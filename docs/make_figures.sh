@@ -11,7 +11,7 @@ ic=$build/ictools/plenum-ic
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest dam vessel gas blob_mass pairing)
+known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest dam vessel gas blob_wind blob_mass pairing)
 chosen=("${@:-${known[@]}}")
 
 # The disk in which the first pictures are taken.
@@ -92,6 +92,19 @@ for name in "${chosen[@]}"; do
       "$ic" generate "$root/cases/cad_vessel.toml" -q --no-report -o "$work/vessel.hdf"
       "$build/solver/plenum-sph" run "$work/vessel.hdf" -q -o "$work/vessel"
       cp "$work/vessel/last.png" "$folder/cad_vessel.png" ;;
+    blob_wind)  # the blob in the wind at tau_KH/2 and tau_KH, cut through and looked through; six minutes
+      "$ic" generate "$root/cases/blob_wind_tunnel.toml" -q --no-report -o "$work/wind.hdf"
+      for part in "half 1.185" "whole 2.37"; do
+        read -r when until <<< "$part"
+        "$build/solver/plenum-sph" run "$work/wind.hdf" -q --anew -o "$work/wind" \
+          --set solver.end_time="$until"
+        for look in "slice --slice y=0 --smooth --range 0 6" "column --column y --range 8 26"; do
+          read -r name options <<< "$look"
+          # shellcheck disable=SC2086 # options are several words
+          "$ic" preview "$work/wind/wind_end.hdf" -q --width 900 --color density $options \
+            -o "$folder/blob_wind_${name}_$when.png"
+        done
+      done ;;
     blob_mass) measured blob ;;
     relaxed_sets | densities | at_rest | gas | pairing) measured "$name" ;;
     *) echo "make_figures.sh: $name: no such figure; known: ${known[*]}" >&2; exit 1 ;;

@@ -2,6 +2,7 @@
 """The blob in the wind tunnel: how much of it is left over time by lattice, kernel and conductivity,
 and how well total energy is kept. With PLENUM_FIGURES at 2e5 particles and more, else at an eighth."""
 
+import math
 import unittest
 
 import figures
@@ -46,6 +47,11 @@ class Blob(Programs):
                 f"{summary['fluid_particles'] / summary['updates_per_second']:.2f}",
                 f"{drift:.0e}", *(f"{m:.2f}" for m in left)]
 
+    def curve(self, history):
+        masses = history["cloud_mass"]
+        return [(t, m / masses[0]) for t, m in zip(history["time_over_tau_kh"], masses)]
+
+    AXES = ("t/tau_KH", "mass of the cloud over that at the start")
     HEADS = ("start, kernel, conductivity", "N", "M updates/s", "s/step", "energy",
              *(f"{t:g} tau_KH" for t in TIMES))
 
@@ -65,13 +71,31 @@ class Blob(Programs):
                     if figures.FOLDER:
                         self.assertGreater(summary["fluid_particles"], 2e5)
                     curves[kernel][f"{lattice}, {'with' if conductivity else 'no'} conductivity"] = \
-                        [(t, mass / history["cloud_mass"][0])
-                         for t, mass in zip(history["time_over_tau_kh"], history["cloud_mass"])]
+                        self.curve(history)
         figures.table("blob_mass", rows)
         for kernel, (label, _) in KERNELS.items():
             figures.chart(f"blob_mass_{kernel}", f"Blob in a wind tunnel, {label}",
-                          ("t/tau_KH", "mass of the cloud over that at the start"), curves[kernel],
-                          "set yrange [0:1.1]")
+                          self.AXES, curves[kernel], "set yrange [0:1.1]")
+
+    def test_density_ratios(self):
+        """2-D, 4 as in the wind-tunnel test for kernels and 10 as in Agertz et al. 2007."""
+        rows = [("density ratio, conductivity", *self.HEADS[1:-1])]
+        curves = {}
+        for ratio in (4, 10):
+            for conductivity in (1, 0):
+                tau = 1.6 * 2 * math.sqrt(ratio) / 2.7
+                summary, history = self.run_case(
+                    "blob_wind_tunnel_2d", f"spacing={.1 if figures.FOLDER else .2}",
+                    f"fluid[0].density={ratio}", f"measures.cloud.density={ratio}",
+                    f"solver.conductivity.alpha={conductivity}",
+                    f"output.every={tau / 4}", f"solver.end_time={2.01 * tau}")
+                name = f"{ratio}, {conductivity}"
+                rows.append(self.row(name, summary, history)[:-1])
+                curves[f"{ratio} : 1, {'with' if conductivity else 'no'} conductivity"] = \
+                    self.curve(history)
+        figures.table("blob_mass_2d", rows)
+        figures.chart("blob_mass_2d", "Blob in a wind tunnel, 2-D", self.AXES, curves,
+                      "set yrange [0:1.1]")
 
 
 if __name__ == "__main__":

@@ -47,18 +47,26 @@ class Pairing(Programs):
     def test_shares(self):
         whole = bool(figures.FOLDER)
         seeds = (1, 2, 3) if whole else (1,)
-        rows = [("f.5 (sheet)", *map(str, NEIGHBOURS))]
+        rows, curves = [("f.5 (sheet)", *map(str, NEIGHBOURS))], {}
         for kernel, sheet in SHEET.items():
-            row = [kernel]
+            row, curve = [kernel], []
             for neighbours, expected in zip(NEIGHBOURS, sheet):
                 if not whole and neighbours not in QUICK.get(kernel, ()):
                     row.append("-")
                     continue
                 share = sum(self.share(kernel, neighbours, s) for s in seeds) / len(seeds)
                 row.append(f"{share:.2f} ({expected:g})")
+                curve.append((neighbours, share))
                 self.assertAlmostEqual(share, expected, delta=SCATTER, msg=(kernel, neighbours))
             rows.append(row)
+            if any(share > 0 for _, share in curve):
+                curves[kernel] = curve
         figures.table("pairing_3d", rows)
+        figures.chart("pairing_3d", "Pairs after ten sound crossings from a random start, 3-D",
+                      ("neighbours within the support", "share of particles with nn < .5 (V/N)^(1/3)"),
+                      {**curves, "the other five kernels": [(n, 0) for n in NEIGHBOURS]},
+                      "set logscale x", "set xrange [28:450]", "set yrange [-.02:1]",
+                      f"set xtics ({', '.join(map(str, NEIGHBOURS))})")
 
 
 if __name__ == "__main__":
