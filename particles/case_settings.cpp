@@ -4,6 +4,8 @@
 #include "particles/errors.hpp"
 #include "particles/kernels.hpp"
 
+#include <fmt/format.h>
+
 namespace plenum {
 
 namespace {
@@ -179,6 +181,28 @@ const Section<SolverSettings>& solverSection() {
   return section;
 }
 
+namespace {
+
+Section<LookSettings> lookSection() {
+  using S = LookSettings;
+  return Section<S>("how pictures look at the particles; absent: disks in 2-D, balls in 3-D")
+      .text("along", &S::along,
+            "3-D: axis to look along; density becomes column density, other fields their mean",
+            {"none", "x", "y", "z"})
+      .number("at", &S::at, "m", Range::any(), "3-D: a cut at this place on the axis instead")
+      .flag("smooth", &S::smooth, "2-D and cuts: smoothed by the kernels instead of disks")
+      .condition([](const S& look, const CaseNode& table, int dimension) {
+        if (dimension != 3 && (look.along != "none" || look.at))
+          table.fail(fmt::format("along and at are for 3-D cases, this one is {}-D", dimension));
+        if (look.at && look.along == "none")
+          table.fail("at needs an axis: along = \"x\", \"y\" or \"z\"");
+        if (look.smooth && (dimension == 1 || (dimension == 3 && look.along == "none")))
+          table.fail("smooth is for 2-D cases and for columns and cuts of 3-D ones; set along");
+      });
+}
+
+}  // namespace
+
 const Section<OutputSettings>& outputSection() {
   using S = OutputSettings;
   static const Section<S> section =
@@ -188,6 +212,7 @@ const Section<OutputSettings>& outputSection() {
                   "time between rows of history.csv; absent: as the VTU files")
           .texts("fields", &S::fields, "fields in the VTU files; absent: all that are modelled")
           .text("picture", &S::picture, "field that colours the pictures")
+          .section("look", &S::look, lookSection())
           .number("checkpoint_every", &S::checkpointEvery, "s", Range::positive(),
                   "time between checkpoints, which `plenum-sph resume` goes on from; absent: by "
                   "checkpoint_wall_clock only")

@@ -150,11 +150,19 @@ struct SolverSettings {
   }
 };
 
+/// How pictures of a run look at it; absent: disks in 2-D, balls in 3-D.
+struct LookSettings {
+  std::string along = "none";  ///< 3-D: "x", "y" or "z", the axis to look along
+  std::optional<double> at;    ///< 3-D: a cut there [m]; absent: whole columns
+  bool smooth = false;         ///< 2-D and cuts: by the kernels instead of disks
+};
+
 struct OutputSettings {
-  double every = 0.1;                     ///< of VTU files [s]
-  std::optional<double> historyEvery;     ///< of rows of history.csv [s]; absent: `every`
-  std::vector<std::string> fields;        ///< empty: all state fields
-  std::string picture = "velocity";       ///< field that colours the pictures
+  double every = 0.1;                  ///< of VTU files [s]
+  std::optional<double> historyEvery;  ///< of rows of history.csv [s]; absent: `every`
+  std::vector<std::string> fields;     ///< empty: all state fields
+  std::string picture = "velocity";    ///< field that colours the pictures
+  std::optional<LookSettings> look;
   std::optional<double> checkpointEvery;  ///< of checkpoints [s]
   double checkpointWallClock = 600;       ///< and in real time [s]
   int checkpointsKept = 2;

@@ -147,8 +147,18 @@ void Recorder<Dim>::addRow(std::vector<Figure> row) {
 }
 
 template <int Dim>
-void Recorder<Dim>::draw(const Simulation<Dim>& simulation, const std::string& fileName) const {
-  const auto picture = pictureOptions(simulation.info(), settings_.outputOrDefaults().picture);
+void Recorder<Dim>::draw(const Simulation<Dim>& simulation, const std::string& fileName,
+                         bool failed) const {
+  const OutputSettings output = settings_.outputOrDefaults();
+  auto picture = pictureOptions(simulation.info(), output.picture);
+  if (output.look && !failed) {
+    picture.smooth = output.look->smooth;
+    const auto axis = std::string("xyz").find(output.look->along);
+    if (axis != std::string::npos && output.look->at)
+      picture.slice = Slice{static_cast<int>(axis), *output.look->at, 0};
+    else if (axis != std::string::npos)
+      picture.column = static_cast<int>(axis);
+  }
   drawParticles(options_.folder / fileName, simulation.particles(), picture);
 }
 
@@ -174,7 +184,7 @@ std::string Recorder<Dim>::saveFailed(const Simulation<Dim>& simulation) const n
     writeParticleFile(file, simulation.scene());
     writeVtu(options_.folder / (options_.name + "_failed.vtu"), simulation.particles(),
              {simulation.time(), std::nullopt});
-    draw(simulation, "failed.png");
+    draw(simulation, "failed.png", true);
     return "the last state is in " + file.string();
   } catch (const std::exception& error) {
     return std::string("and the last state could not be saved: ") + error.what();

@@ -48,7 +48,9 @@ class Recorder {
  private:
   void removeOldFiles(bool isContinued) const;
   std::filesystem::path stateFile(std::size_t number) const;
-  void draw(const Simulation<Dim>& simulation, const std::string& fileName) const;
+  void draw(
+      const Simulation<Dim>& simulation, const std::string& fileName,
+      bool failed = false) const;  // a failed state as balls, whose numbers need not be finite
   double updatesPerSecond(const Simulation<Dim>& simulation, const ActivityClock& clock) const;
   void writeSummary(const Simulation<Dim>& simulation, const ActivityClock& clock) const;
 

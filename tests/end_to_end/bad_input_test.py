@@ -132,6 +132,8 @@ class RunErrors(Programs):
     def test_field_that_is_not_modelled(self):
         self.run_refused(["output.picture=internal_energy"], "output.picture", "does not model")
         self.run_refused(["output.picture=velocty"], "velocity")
+        self.run_refused(["output.look.along=y"], "output.look", "3-D")
+        self.run_refused(["output.look.at=0"], "output.look", "3-D")
 
     def test_measures_that_the_scene_cannot_have(self):
         self.run_refused(['measures.probe=[{name="p",point=[3,0]}]'], "gap.hdf",
