@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/preflight_streams.hpp"
 
+#include "engine/point_search.hpp"
 #include "particles/errors.hpp"
 #include "solver/stream_planes.hpp"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace plenum {
 
@@ -31,7 +33,10 @@ class PlaneCheck {
     if (isAsGiven) checkReach();
     checkDirection();
     if (isAsGiven) checkWalls();
-    if (plane_.isInflow && !hasRun) checkPeriods();
+    if (plane_.isInflow && !hasRun) {
+      checkPeriods();
+      checkJoint();
+    }
   }
 
  private:
@@ -141,6 +146,42 @@ class PlaneCheck {
         "periods of their lattice, for they come in again and again; set length = {:.6g} and let "
         "the fluid's region end there",
         plane_.length, filled, filled));
+  }
+
+  /// Nor may particles come nearer to those that follow them by the plane's length than they stand
+  /// inside of the belt: half a period of a hexagonal lattice has the volume of a whole number of
+  /// rows.
+  void checkJoint() const {
+    std::vector<Vec<Dim>> belt;
+    double spacing = 0;
+    for (std::size_t i = 0; i < particles_.nFluid(); ++i) {
+      if (!(depthOf(i) > 0)) continue;
+      belt.push_back(particles_[field::position][i]);
+      spacing = std::max(spacing, spacingOf(i));
+    }
+    const int axis = plane_.axis;
+    Box<Dim> domain = info_.domain;
+    domain.lower[axis] = std::min(plane_.at, plane_.end());
+    domain.upper[axis] = std::max(plane_.at, plane_.end());
+    domain.periodic[static_cast<std::size_t>(axis)] = true;
+    const PointSearch<Dim> search(belt, domain, 1.5 * spacing);
+    double inside = std::numeric_limits<double>::infinity(), across = inside;  // squared
+    for (std::size_t i = 0; i < belt.size(); ++i)
+      search.around(belt[i], [&](std::uint32_t j, const Vec<Dim>& d, double distanceSquared) {
+        if (j == i) return;
+        const bool isFollower =
+            std::abs(belt[j][axis] - belt[i][axis] - d[axis]) > 0.5 * plane_.length;
+        double& nearest = isFollower ? across : inside;
+        nearest = std::min(nearest, distanceSquared);
+      });
+    constexpr double part = 0.9;  // a relaxed set repeats with some scatter
+    if (across >= part * part * inside) return;
+    refuse(fmt::format(
+        "has length = {:g} m, and particles that follow each other by it stand {:.4g} m apart, "
+        "inside of the belt {:.4g} m: length must be whole periods of their lattice, for they come "
+        "in again and again; set length to a multiple of the distance of equal rows along {}, and "
+        "let the fluid's region end there",
+        plane_.length, std::sqrt(across), std::sqrt(inside), "xyz"[axis]));
   }
 
   /// Held fluid does not feel walls, and fluid just before the plane could not go round them.

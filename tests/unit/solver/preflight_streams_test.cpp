@@ -96,6 +96,28 @@ TEST(PreflightStreams, WhatCannotBeIsRefused) {
                 {"[[solver.outflow]]", "one at the lower and one at the upper"});
 }
 
+TEST(PreflightStreams, HalfAPeriodOfALatticeIsRefused) {
+  // Every second place of the lattice, like the squares of one colour of a chessboard: rows repeat
+  // after two columns.
+  const auto chessboard = [](double length) {
+    return [=](Scene<2>& scene, SolverSettings& s) {
+      ParticleSet<2>& all = scene.particles;
+      std::vector<std::uint32_t> kept;
+      for (std::uint32_t i = 0; i < all.size(); ++i) {
+        all[field::position][i][0] = (i / 8 + 0.5) / 16;
+        if ((i / 8 + i % 8) % 2 == 0) kept.push_back(i);
+      }
+      all = all.fluidsOf(kept);
+      for (double& mass : all[field::mass]) mass *= 2;
+      s.inflows[0].at = s.inflows[0].length = length;
+      s.smoothingLength = 1.2;  // a support of half the tunnel's width at most
+    };
+  };
+  expectRefused(chessboard(0.9375), {"[[solver.inflow]]", "length = 0.9375 m", "follow each other",
+                                     "0.0625 m apart", "along x"});
+  EXPECT_EQ(refusal(chessboard(1)), "");
+}
+
 TEST(PreflightStreams, FluidMustComeInAndLeave) {
   const Change turn = [](Scene<2>& scene, SolverSettings&) {
     for (Vec<2>& v : scene.particles[field::velocity]) v = -v;
