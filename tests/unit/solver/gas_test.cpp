@@ -4,11 +4,10 @@
 #include "particles/errors.hpp"
 #include "particles/kernels.hpp"
 #include "particles/number.hpp"
-#include "particles/particle_file.hpp"
 #include "solver/conserved.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/jittered_scene.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/paused_run.hpp"
 #include "tests/support/threads.hpp"
 
 #include <gtest/gtest.h>
@@ -207,12 +206,7 @@ TEST(Gas, ARunThatStopsGoesOnWithTheSameBits) {
       settings.precision = "mixed";
       change(settings);
       Simulation<2> simulation = wavy<2>(settings);
-      for (int k = 0; k < 20 || !simulation.mayPause(); ++k)
-        simulation.step(simulation.maxTimeStep());
-      simulation.notePause();
-      const test::TemporaryFolder folder;
-      writeParticleFile(folder / "pause.hdf", simulation.scene());
-      Simulation<2> resumed(readParticleFile<2>(folder / "pause.hdf"), settings);
+      Simulation<2> resumed = test::resumedAfter(20, simulation, settings);
       EXPECT_TRUE(resumed.isContinued());
       for (int k = 0; k < 80; ++k)
         for (Simulation<2>* run : {&simulation, &resumed}) run->step(run->maxTimeStep());

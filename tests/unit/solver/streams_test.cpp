@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Gas that comes in at one end of a scene and leaves at the other.
-#include "particles/particle_file.hpp"
 #include "solver/measures/riemann_problem.hpp"
+#include "tests/support/paused_run.hpp"
 #include "tests/support/stream_tunnel.hpp"
-#include "tests/support/temporary_folder.hpp"
 #include "tests/support/threads.hpp"
 
 #include <gtest/gtest.h>
@@ -170,12 +169,7 @@ TEST(Streams, ARunThatStopsGoesOnWithTheSameBits) {
     settings.precision = "mixed";
     settings.adaptive->form = form;
     Simulation<2> simulation(hump(1.5), settings);
-    for (int k = 0; k < 70 || !simulation.mayPause(); ++k)
-      simulation.step(simulation.maxTimeStep());
-    simulation.notePause();
-    const test::TemporaryFolder folder;
-    writeParticleFile(folder / "pause.hdf", simulation.scene());
-    Simulation<2> resumed(readParticleFile<2>(folder / "pause.hdf"), settings);
+    Simulation<2> resumed = test::resumedAfter(70, simulation, settings);
     EXPECT_TRUE(resumed.isContinued());
     for (int k = 0; k < 80; ++k)
       for (Simulation<2>* run : {&simulation, &resumed}) run->step(run->maxTimeStep());
