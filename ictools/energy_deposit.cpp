@@ -18,6 +18,9 @@ void depositEnergy(const FluidSettings& fluid, const SceneFrame<Dim>& frame,
   const EnergyDepositSettings& deposit = *fluid.energyDeposit;
   Vec<Dim> point;
   for (int a = 0; a < Dim; ++a) point[a] = deposit.point[static_cast<std::size_t>(a)];
+  if (!frame.domain.contains(point))
+    at(at(fluid.node, "energy_deposit"), "point")
+        .fail("lies outside of the domain; move it inside");
   const kernel::Any kernel{KernelId::named(frame.solver.kernel)};
   const auto distance = [&](std::size_t k) {
     return norm(frame.domain.nearestImage(positions[k] - point));

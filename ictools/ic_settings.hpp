@@ -154,6 +154,7 @@ struct WallSettings {
   const char* regionKey() const { return outside.empty() ? "region" : "outside"; }
 };
 
+const Section<HydrostaticSettings>& hydrostaticSection();
 const Section<FluidSettings>& fluidSection();
 const Section<WallSettings>& wallSection();
 

@@ -11,9 +11,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <type_traits>
 
 namespace plenum {
@@ -69,6 +71,19 @@ Slice sliceOf(const std::string& text, int dimension) {
       parsed.ptr != end || !std::isfinite(position))
     throw InputError(asked + "must be an axis and a place in metres, as y=0.5");
   return {static_cast<int>(axis), position, 0};
+}
+
+/// A cut beside the set would show nothing, or an image of a periodic set that is not there.
+template <int Dim>
+void checkSlice(const std::string& text, const Slice& slice, const ParticleSet<Dim>& particles) {
+  double lower = std::numeric_limits<double>::infinity(), upper = -lower;
+  for (const Vec<Dim>& x : particles[field::position]) {
+    lower = std::min(lower, x[slice.axis]);
+    upper = std::max(upper, x[slice.axis]);
+  }
+  if (slice.position < lower || slice.position > upper)
+    throw InputError(fmt::format("--slice {}: the set reaches from {:.4g} to {:.4g} m there", text,
+                                 lower, upper));
 }
 
 /// What --column, --smooth and --range ask of a picture.
@@ -212,7 +227,10 @@ int runPreview(const Options& options) {
   const auto draw = [&]<int Dim>(const Scene<Dim>& scene) {
     PictureOptions<Dim> picture = pictureOptions(scene.info, options.color);
     picture.width = options.width;
-    if (!options.slice.empty()) picture.slice = sliceOf(options.slice, Dim);
+    if (!options.slice.empty()) {
+      picture.slice = sliceOf(options.slice, Dim);
+      checkSlice(options.slice, *picture.slice, scene.particles);
+    }
     takeMap(options, Dim, picture);
     drawParticles(path, scene.particles, picture);
     if (!options.quiet) std::cout << path.string() << '\n';

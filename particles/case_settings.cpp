@@ -3,6 +3,7 @@
 
 #include "particles/errors.hpp"
 #include "particles/kernels.hpp"
+#include "particles/solver_conflicts.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ Section<ViscositySettings> viscositySection() {
   monaghan.number("alpha", &MonaghanSettings::alpha, "", Range::notNegative(), "linear coefficient")
       .number("beta", &MonaghanSettings::beta, "", Range::notNegative(), "quadratic coefficient")
       .flag("balsara", &MonaghanSettings::balsara,
-            "weaker where the flow shears rather than converges (Balsara 1995); needs adaptive");
+            "weaker where the flow shears rather than converges (Balsara 1995)");
   Section<TensorSettings> tensor(
       "Gingold and Monaghan's tensor: (-alpha_1 c mu + alpha_2 mu^2)/rho, mu = h v.r/(r^2 + beta "
       "h^2)");
@@ -177,7 +178,8 @@ const Section<SolverSettings>& solverSection() {
                 "numbers in which pairs are computed: float with the state in double (mixed), or "
                 "double",
                 {"mixed", "double"})
-          .number("end_time", &S::endTime, "s", Range::notNegative(), "when the run ends");
+          .number("end_time", &S::endTime, "s", Range::notNegative(), "when the run ends")
+          .condition(checkSolverTable);
   return section;
 }
 

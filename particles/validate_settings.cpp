@@ -36,7 +36,7 @@ void checkStatistic(const ValidateSettings& v, const CaseNode& table, int) {
   if (statistic != "at") refuse("time", "has a meaning for statistic = \"at\" only");
   const bool isOverRows = !v.curve && statistic != "at" && statistic != "last";
   for (const char* key : {"from", "until"})
-    if (!isOverRows) refuse(key, "has a meaning for mean, mean_abs, min, max and drift only");
+    if (!isOverRows) refuse(key, "has a meaning for mean, mean_abs, min, max and drifts only");
   if (v.from && v.until && !(*v.until > *v.from)) refuse("until", "must be after from");
 }
 
@@ -72,8 +72,8 @@ const Section<ValidateSettings>& validateSection() {
           .text("statistic", &S::statistic,
                 "what is made of the column: its value at a time, in the last row, its mean over "
                 "time, that of its absolute value, its least or largest one, or how far it goes "
-                "from its first one; absent: at where there is a time, else last",
-                {"at", "last", "mean", "mean_abs", "min", "max", "drift"})
+                "from its first one, as it is or over that; absent: at where there is a time, else last",
+                {"at", "last", "mean", "mean_abs", "min", "max", "drift", "relative_drift"})
           .number("time", &S::time, "s", Range::any(), "of at; the run has a row exactly there")
           .number("from", &S::from, "s", Range::any(), "rows before do not count; absent: all")
           .number("until", &S::until, "s", Range::any(), "rows after do not count; absent: all")

@@ -62,9 +62,10 @@ std::string phaseLines(const Phases& phases, const std::vector<Material>& materi
 }
 
 std::string forceLines(const SolverSettings& s) {
-  std::string text = fmt::format("pressure force   {}\n", momentumForm(s) == "density_squared"
-                                                              ? "p/rho^2 form (2.3)"
-                                                              : "(p + p)/(rho rho) form (5.24)");
+  const char* form = s.hasForm("grad_h")                    ? "p/(Omega rho^2) form (Price 2012)"
+                     : momentumForm(s) == "density_squared" ? "p/rho^2 form (2.3)"
+                                                            : "(p + p)/(rho rho) form (5.24)";
+  std::string text = fmt::format("pressure force   {}\n", form);
   if (s.monaghan())
     text += fmt::format("viscosity        Monaghan: alpha = {:g}, beta = {:g}\n",
                         s.monaghan()->alpha, s.monaghan()->beta);

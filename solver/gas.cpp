@@ -3,6 +3,7 @@
 
 #include "particles/number.hpp"
 #include "particles/parallel.hpp"
+#include "solver/scene_setup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +103,10 @@ double Gas<Dim>::takeRates(Engine<Dim>& engine, ParticleSet<Dim>& particles) con
   const auto c = std::as_const(particles)[field::soundSpeed];
   const auto mass = std::as_const(particles)[field::mass];
   const ViscosityStrength strength = strengthOf(settings_);
-  const double ofSound = 1 + 0.6 * strength.linear, ofDivergence = 1 + 0.6 * strength.quadratic;
+  const double ofHeat = settings_.conductivity ? settings_.conductivity->alpha : 0;
+  const double ofSound = std::max(1 + 0.6 * strength.linear, ofHeat);
+  const double ofDivergence = 1 + 0.6 * strength.quadratic;
+  const Vec<Dim> gravity = gravityOf<Dim>(settings_);
   double largestSignal = 0, largestForce = 0;
   engine.withSums(field::densityRate, [&](const auto& rates) {
     engine.withSums(field::force, [&](const auto& forces) {
@@ -114,8 +118,8 @@ double Gas<Dim>::takeRates(Engine<Dim>& engine, ParticleSet<Dim>& particles) con
           divergence[i] = div;
           largestSignal =
               std::max(largestSignal, ofSound * c[i] / h[i] + ofDivergence * std::abs(div));
-          largestForce =
-              std::max(largestForce, normSquared(forces.at(k, place)) / power<2>(mass[i] * h[i]));
+          const Vec<Dim> acceleration = (1 / mass[i]) * forces.at(k, place) + gravity;
+          largestForce = std::max(largestForce, normSquared(acceleration) / power<2>(h[i]));
         });
     });
   });

@@ -35,7 +35,8 @@ class Gas {
 
   /// To be called when forces have been summed. Sets field::velocityDivergence and returns the
   /// largest rate at which a particle changes [1/s]:
-  /// (c (1 + 0.6 alpha) + (1 + 0.6 beta) h |div v|)/h, after Monaghan 1992, and sqrt(|a|/h).
+  /// (c (1 + 0.6 alpha) + (1 + 0.6 beta) h |div v|)/h, after Monaghan 1992, and sqrt(|a|/h). A
+  /// conductivity counts where it is more than that: its signals are no faster than alpha c.
   double takeRates(Engine<Dim>& engine, ParticleSet<Dim>& particles) const;
 
   /// Ideal gas: field::internalEnergyRate by the forces that were summed.

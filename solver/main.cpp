@@ -75,7 +75,8 @@ void warn(const CommandLine& line, const RunResult& result) {
         "beyond "
         "(left), and {:g} outside of the set's first bounds (escaped): a hole in the walls, an "
         "open rim, a "
-        "time step that is too long, a wall_pressure that lets fluid through (docs/liquids.md); or "
+        "time step that is too long, a wall_pressure that lets fluid through (docs/liquids.md, "
+        "docs/gas.md); or "
         "the "
         "case names no container and the fluid has flowed out of its regions\n",
         count("left"), count("escaped"));

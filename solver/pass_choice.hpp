@@ -73,7 +73,9 @@ constexpr void forEachTermList(Visit&& visit) {
   visit(OwnLengths<PressureDensitySquared, MonaghanViscosityOfPhases, DensityRate>{}, generic);
   visit(OwnLengths<PressureGradH, MonaghanViscosityOfPhases, DensityRate>{}, generic);
   visit(OwnLengths<PressureGradH, HeatingViscosity, DensityRate>{}, tuned);
+  visit(OwnLengths<PressureGradH, BalsaraViscosity, DensityRate>{}, generic);
   visit(OwnLengths<PressureGradH, BalsaraViscosity, Conductivity, DensityRate>{}, generic);
+  visit(OwnLengths<PressureDensitySquared, BalsaraViscosity, DensityRate>{}, generic);
   visit(OwnLengths<PressureDensitySquared, PressureWork, BalsaraViscosity, Conductivity,
                    DensityRate>{},
         generic);

@@ -142,16 +142,19 @@ class PassMaker {
   PairPass<Dim> forcesInGas() const {
     using namespace term;
     const auto pass = [&](auto list) { return make(list, Group::fluids); };
-    const bool hasGradH = settings_.hasForm("grad_h");
-    if (!settings_.isIdealGas())
+    const bool hasGradH = settings_.hasForm("grad_h"), hasBalsara = settings_.usesBalsara();
+    if (!settings_.isIdealGas() && !hasBalsara)
       return hasGradH ? pass(OwnLengths<PressureGradH, MonaghanViscosityOfPhases, DensityRate>{})
                       : pass(OwnLengths<PressureDensitySquared, MonaghanViscosityOfPhases,
                                         DensityRate>{});
+    if (!settings_.isIdealGas() && !hasGradH)
+      return pass(OwnLengths<PressureDensitySquared, BalsaraViscosity, DensityRate>{});
     if (!hasGradH)
       return pass(OwnLengths<PressureDensitySquared, PressureWork, BalsaraViscosity, Conductivity,
                              DensityRate>{});
-    if (settings_.usesBalsara() || settings_.conductivity)
+    if (settings_.conductivity)
       return pass(OwnLengths<PressureGradH, BalsaraViscosity, Conductivity, DensityRate>{});
+    if (hasBalsara) return pass(OwnLengths<PressureGradH, BalsaraViscosity, DensityRate>{});
     return pass(OwnLengths<PressureGradH, HeatingViscosity, DensityRate>{});
   }
 

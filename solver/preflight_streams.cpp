@@ -1,219 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/preflight_streams.hpp"
 
-#include "engine/point_search.hpp"
 #include "particles/errors.hpp"
+#include "solver/preflight_plane.hpp"
 #include "solver/stream_planes.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include <string>
+#include <utility>
 
 namespace plenum {
 
 namespace {
-
-/// Checks of one plane of a scene.
-template <int Dim>
-class PlaneCheck {
- public:
-  PlaneCheck(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particles,
-             const SolverSettings& settings, const StreamPlane<Dim>& plane)
-      : info_(info), particles_(particles), settings_(settings), plane_(plane) {}
-
-  /// A state that has run is asked for less: waves may have reached the belt, and gas of any
-  /// density the outflow.
-  void operator()() const {
-    const bool hasRun = info_.time > 0, isAsGiven = !hasRun || plane_.isInflow;
-    if (isAsGiven) checkLength();
-    checkFluid();
-    if (isAsGiven) checkReach();
-    checkDirection();
-    if (isAsGiven) checkWalls();
-    if (plane_.isInflow && !hasRun) {
-      checkPeriods();
-      checkJoint();
-    }
-  }
-
- private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw InputError(
-        fmt::format("{}: [[solver.{}]] with axis = \"{}\", at = {:g}, side = \"{}\" {}",
-                    info_.caseName, plane_.isInflow ? "inflow" : "outflow", "xyz"[plane_.axis],
-                    plane_.at, plane_.outward < 0 ? "lower" : "upper", what));
-  }
-
-  double depthOf(std::size_t i) const { return plane_.depth(particles_[field::position][i]); }
-  double volumeOf(std::size_t i) const {
-    return particles_[field::mass][i] / particles_[field::density][i];
-  }
-  double spacingOf(std::size_t i) const { return std::pow(volumeOf(i), 1.0 / Dim); }
-
-  /// Of the fluid beyond the plane [m]; beyond an outflow gas from anywhere comes.
-  double support() const {
-    const double eta = settings_.smoothingLength;
-    if (!settings_.lengthsFollow()) return 2 * eta * info_.spacing;
-    double largest = 0;
-    for (std::size_t i = 0; i < particles_.nFluid(); ++i)
-      if (!plane_.isInflow || depthOf(i) > 0) largest = std::max(largest, spacingOf(i));
-    return 2 * eta * largest;
-  }
-
-  void checkLength() const {
-    const double least = 2 * support();
-    if (plane_.length >= least * (1 - 1e-9)) return;
-    refuse(
-        fmt::format("has length = {:g} m, less than twice the kernel's support, {:.6g} m: gas at "
-                    "the plane would feel that there is nothing behind; set length to that or "
-                    "more, and let the fluid's region reach as far",
-                    plane_.length, least));
-  }
-
-  std::size_t deepestParticle() const {
-    std::size_t deepest = 0;
-    for (std::size_t i = 1; i < particles_.nFluid(); ++i)
-      if (depthOf(i) > depthOf(deepest)) deepest = i;
-    return deepest;
-  }
-
-  /// Fluid must stand on both sides of the plane, and no further beyond than it is held.
-  void checkFluid() const {
-    const std::size_t last = deepestParticle();
-    const double deepest = depthOf(last);
-    double highest = -deepest;
-    for (std::size_t i = 0; i < particles_.nFluid(); ++i) highest = std::max(highest, -depthOf(i));
-    if (!(deepest > 0 && highest > 0))
-      refuse(
-          fmt::format("lies outside of the fluid, which reaches from {:.6g} to {:.6g} m there; "
-                      "move the plane to where fluid stands on both sides of it, or the "
-                      "fluid's region",
-                      plane_.at + plane_.outward * (plane_.outward < 0 ? deepest : -highest),
-                      plane_.at + plane_.outward * (plane_.outward < 0 ? -highest : deepest)));
-    if (deepest > plane_.length * (1 + 1e-9))
-      refuse(
-          fmt::format("has length = {:g} m, and particle {} stands {:.6g} m beyond the plane; "
-                      "make length as long as the fluid reaches, or the fluid's region shorter",
-                      plane_.length, particles_[field::id][last], deepest));
-  }
-
-  void checkReach() const {
-    const std::size_t last = deepestParticle();
-    const double deepest = depthOf(last);
-    if (deepest < plane_.length - 1.5 * spacingOf(last))
-      refuse(
-          fmt::format("has length = {:g} m, and fluid reaches only {:.6g} m beyond the plane; "
-                      "let its region reach to {:g} m, or make length shorter",
-                      plane_.length, deepest, plane_.end()));
-  }
-
-  void checkDirection() const {
-    for (std::size_t i = 0; i < particles_.nFluid(); ++i) {
-      if (!(depthOf(i) > 0)) continue;
-      const double speed = plane_.along(particles_[field::velocity][i]);
-      if (speed > 0) continue;
-      refuse(
-          fmt::format("has fluid beyond it that does not come {}: particle {} has {:g} m/s into "
-                      "that direction; "
-                      "give the [[fluid]] there a velocity through the plane, or leave the {} out",
-                      plane_.isInflow ? "in" : "to it and leave", particles_[field::id][i], speed,
-                      plane_.isInflow ? "inflow" : "outflow"));
-    }
-  }
-
-  /// The belt repeats with the plane's length, so this must be whole periods of the lattice. Where
-  /// the other axes are periodic, the volume of the particles tells.
-  void checkPeriods() const {
-    double area = 1, volume = 0;
-    for (int a = 0; a < Dim; ++a) {
-      if (a == plane_.axis) continue;
-      if (!info_.domain.isPeriodic(a)) return;
-      area *= info_.domain.upper[a] - info_.domain.lower[a];
-    }
-    double spacing = 0;
-    for (std::size_t i = 0; i < particles_.nFluid(); ++i) {
-      if (!(depthOf(i) > 0)) continue;
-      volume += volumeOf(i);
-      spacing = std::max(spacing, spacingOf(i));
-    }
-    const double filled = volume / area;
-    if (std::abs(filled - plane_.length) <= 0.1 * spacing) return;
-    refuse(fmt::format(
-        "has length = {:g} m, and the particles beyond it fill {:.6g} m: length must be whole "
-        "periods of their lattice, for they come in again and again; set length = {:.6g} and let "
-        "the fluid's region end there",
-        plane_.length, filled, filled));
-  }
-
-  /// Nor may particles come nearer to those that follow them by the plane's length than they stand
-  /// inside of the belt: half a period of a hexagonal lattice has the volume of a whole number of
-  /// rows.
-  void checkJoint() const {
-    std::vector<Vec<Dim>> belt;
-    double spacing = 0;
-    for (std::size_t i = 0; i < particles_.nFluid(); ++i) {
-      if (!(depthOf(i) > 0)) continue;
-      belt.push_back(particles_[field::position][i]);
-      spacing = std::max(spacing, spacingOf(i));
-    }
-    const int axis = plane_.axis;
-    Box<Dim> domain = info_.domain;
-    domain.lower[axis] = std::min(plane_.at, plane_.end());
-    domain.upper[axis] = std::max(plane_.at, plane_.end());
-    domain.periodic[static_cast<std::size_t>(axis)] = true;
-    const PointSearch<Dim> search(belt, domain, 1.5 * spacing);
-    double inside = std::numeric_limits<double>::infinity(), across = inside;  // squared
-    for (std::size_t i = 0; i < belt.size(); ++i)
-      search.around(belt[i], [&](std::uint32_t j, const Vec<Dim>& d, double distanceSquared) {
-        if (j == i) return;
-        const bool isFollower =
-            std::abs(belt[j][axis] - belt[i][axis] - d[axis]) > 0.5 * plane_.length;
-        double& nearest = isFollower ? across : inside;
-        nearest = std::min(nearest, distanceSquared);
-      });
-    constexpr double part = 0.9;  // a relaxed set repeats with some scatter
-    if (across >= part * part * inside) return;
-    refuse(fmt::format(
-        "has length = {:g} m, and particles that follow each other by it stand {:.4g} m apart, "
-        "inside of the belt {:.4g} m: length must be whole periods of their lattice, for they come "
-        "in again and again; set length to a multiple of the distance of equal rows along {}, and "
-        "let the fluid's region end there",
-        plane_.length, std::sqrt(across), std::sqrt(inside), "xyz"[axis]));
-  }
-
-  /// Held fluid does not feel walls, and fluid just before the plane could not go round them.
-  void checkWalls() const {
-    const double clear = 2 * support();
-    double nearest = std::numeric_limits<double>::infinity();
-    std::size_t met = 0;
-    for (std::size_t w = 0; w < particles_.nWalls(); ++w) {
-      const double distance = -depthOf(particles_.nFluid() + w);
-      if (distance > nearest || distance < -plane_.length - 0.5 * clear) continue;
-      nearest = distance;
-      met = w;
-    }
-    if (!(nearest < clear)) return;
-    const auto wall = static_cast<std::size_t>(particles_[field::wall][met]);
-    const std::string name =
-        wall < info_.walls.size() ? info_.walls[wall].name : std::to_string(wall);
-    refuse(fmt::format(
-        "meets wall \"{}\": it stands {}, and the gas that is held there goes straight through "
-        "walls; keep walls {:.4g} m (two supports of the kernel) or more away from the plane, on "
-        "the side of the scene, or make axes across the stream periodic instead of walled",
-        name,
-        nearest > 0 ? fmt::format("{:.4g} m from the plane", nearest)
-                    : fmt::format("up to {:.4g} m beyond the plane", -nearest),
-        clear));
-  }
-
-  const SceneInfo<Dim>& info_;
-  const ParticleSet<Dim>& particles_;
-  const SolverSettings& settings_;
-  const StreamPlane<Dim>& plane_;
-};
 
 void checkNumerics(const SolverSettings& s) {
   const std::string key = s.inflows.empty() ? "outflow" : "inflow";
@@ -240,33 +39,36 @@ void checkNumerics(const SolverSettings& s) {
 }
 
 template <int Dim>
+std::string nameOf(const StreamPlane<Dim>& plane) {
+  return fmt::format("[[solver.{}]] at {} = {:g}", plane.isInflow ? "inflow" : "outflow",
+                     "xyz"[plane.axis], plane.at);
+}
+
+/// Planes lie at the ends of one axis that is not periodic.
+template <int Dim>
 void checkArrangement(const SceneInfo<Dim>& info, const StreamPlanes<Dim>& planes) {
   const StreamPlane<Dim>* first = nullptr;
   for (const StreamPlane<Dim>& plane : planes) {
-    const char* name = plane.isInflow ? "inflow" : "outflow";
-    const char axis = "xyz"[plane.axis];
     const auto refuse = [&](const std::string& why) {
-      throw InputError(fmt::format("{}: [[solver.{}]] at {} = {:g} {}", info.caseName, name, axis,
-                                   plane.at, why));
+      throw InputError(fmt::format("{}: {} {}", info.caseName, nameOf(plane), why));
     };
     if (info.domain.isPeriodic(plane.axis))
       refuse(fmt::format("lies across the periodic axis {0}; take \"{0}\" out of domain.periodic",
-                         axis));
+                         "xyz"[plane.axis]));
     if (first == nullptr) {
       first = &plane;
       continue;
     }
-    const char firstAxis = "xyz"[first->axis];
     if (plane.axis != first->axis || plane.outward == first->outward)
       refuse(
-          fmt::format("and the one at {} = {:g}: there may be one at the lower and one at the "
-                      "upper end of the same axis; leave one out",
-                      firstAxis, first->at));
+          fmt::format("and {}: there may be one at the lower and one at the upper end of the same "
+                      "axis; leave one out",
+                      nameOf(*first)));
     if (!(first->depth(Vec<Dim>::filled(plane.at)) < 0))
       refuse(
-          fmt::format("and the one at {:g}: the plane with side = \"lower\" must lie below the "
-                      "one with side = \"upper\"; swap the sides",
-                      first->at));
+          fmt::format("and {}: the plane with side = \"lower\" must lie below the one with side = "
+                      "\"upper\"; swap the sides",
+                      nameOf(*first)));
   }
 }
 
@@ -280,7 +82,7 @@ void checkStreams(const SceneInfo<Dim>& info, const ParticleSet<Dim>& particles,
   const StreamPlanes<Dim> planes(settings);
   checkArrangement(info, planes);
   if (!info.progress.empty()) return;
-  for (const StreamPlane<Dim>& plane : planes) PlaneCheck<Dim>(info, particles, settings, plane)();
+  for (const StreamPlane<Dim>& plane : planes) checkPlane(info, particles, settings, plane);
 }
 
 template void checkStreams<1>(const SceneInfo<1>&, const ParticleSet<1>&, const SolverSettings&);

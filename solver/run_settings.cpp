@@ -77,7 +77,7 @@ void checkTimes(const CaseSettings& settings, double start, double h, double c) 
         "{:g} s; a stable step is about {:g} s\n",
         *solver.timeStep, acoustic, 0.2 * acoustic);
   const bool falls = std::ranges::any_of(solver.gravity, [](double g) { return g != 0; });
-  if (solver.sumsDensity() && falls)
+  if (solver.equationOfState == "tait" && solver.sumsDensity() && falls)
     std::cerr
         << "plenum-sph: warning: solver.density = \"summation\" with gravity: a sum is too low at "
            "a free surface, which makes energy from nothing; unless the fluid fills its domain, "

@@ -20,6 +20,12 @@ namespace plenum {
 
 namespace {
 
+/// A RunError that says when.
+class TimedError : public RunError {
+ public:
+  using RunError::RunError;
+};
+
 /// The scene itself, after the checks that everything else relies on. Its domain reaches as far as
 /// gas is held beyond planes.
 template <int Dim>
@@ -121,7 +127,23 @@ void Simulation<Dim>::notePause() {
 
 template <int Dim>
 void Simulation<Dim>::step(double dt) {
-  lastStep_ = dt;
+  const auto failNow = [&](const std::exception& error) {
+    throw TimedError(
+        fmt::format("at t = {:.6g} s, step {}: {}", time(), record_.nSteps, error.what()));
+  };
+  try {
+    take(dt);
+  } catch (const TimedError&) {
+    throw;
+  } catch (const RunError& error) {
+    failNow(error);
+  } catch (const InputError& error) {  // what was true of the first state no longer is
+    failNow(error);
+  }
+}
+
+template <int Dim>
+void Simulation<Dim>::take(double dt) {
   if (record_.nSteps > 0 && mayPause()) engine_.forget();
   if (settings_.kicksTwice())
     stepKickDriftKick(dt);
@@ -238,11 +260,12 @@ void Simulation<Dim>::sumForces(double now) {
 template <int Dim>
 void Simulation<Dim>::fail(const std::string& what, std::size_t i) const {
   const ParticleSet<Dim>& particles = scene_.particles;
-  double shorter = 0.05 * smoothingLength() / largestSoundSpeed();
-  if (lastStep_ > 0) shorter = std::min(shorter, 0.25 * lastStep_);
-  throw RunError(fmt::format(
+  const std::string shorter = settings_.timeStep
+                                  ? fmt::format("time_step={:.2g}", 0.25 * *settings_.timeStep)
+                                  : fmt::format("cfl={:.2g}", 0.25 * settings_.cfl);
+  throw TimedError(fmt::format(
       "particle {} at ({:.4g}): {} at t = {:.6g} s, step {}: likely a time step that is too large, "
-      "particles that overlap or a wall that is missing; try --set solver.time_step={:.2g}",
+      "particles that overlap or a wall that is missing; try --set solver.{}",
       particles[field::id][i], fmt::join(particles[field::position][i].components, ", "), what,
       time(), record_.nSteps, shorter));
 }
@@ -302,7 +325,7 @@ void Simulation<Dim>::driftParticles(double dt) {
   requireSpeedLimit();
   if (streams_) streams_->beforeMove(scene_.particles);
   drift(engine_, scene_.info.domain, scene_.particles, dt, record_.fastest);
-  if (streams_) streams_->afterMove(engine_, scene_.particles, time() + dt, dt);
+  if (streams_) streams_->afterMove(engine_, scene_.particles, dt);
   if (gas_) gas_->lengths().predict(engine_, scene_.particles, dt);
 }
 
@@ -331,8 +354,9 @@ double Simulation<Dim>::maxTimeStep() const {
   if (!settings_.timeStep && isSenseless(step, settings_, phases_, h))
     fail(fmt::format(
              "speeds up to {:g} m/s (its own) and accelerations up to {:g} m/s^2 make the cfl "
-             "time step fall below a millionth of h/c",
-             record_.fastest, record_.largestAcceleration),
+             "time step fall below {}",
+             record_.fastest, record_.largestAcceleration,
+             settings_.hasOwnLengths() ? "1e-10 of end_time" : "a millionth of h/c"),
          fastestParticle());
   return step;
 }

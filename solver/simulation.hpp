@@ -112,6 +112,7 @@ class Simulation {
   void beginStreams();
   void goOn();
 
+  void take(double dt);
   void stepEuler(double dt);
   void stepKickDriftKick(double dt);
   void updateDensity(double dt);
@@ -147,7 +148,6 @@ class Simulation {
   std::vector<Vec<Dim>> towardsSurface_;     // empty if no wall moves [m/s]
   WallLoads<Dim> wallLoads_;
   StepRecord record_;
-  double lastStep_ = 0;  // [s]; 0 before the first
   int nDensitySums_ = 1;
   bool isContinued_ = false;
 };

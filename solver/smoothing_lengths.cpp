@@ -4,13 +4,14 @@
 #include "particles/errors.hpp"
 #include "particles/number.hpp"
 #include "particles/parallel.hpp"
-#include "solver/self_term.hpp"
+#include "particles/self_term.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plenum {
 
@@ -18,6 +19,8 @@ namespace {
 
 /// A length changes by at most this factor in an iteration: Newton's method may start far away.
 constexpr double largestChange = 1.3;
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -33,8 +36,13 @@ SmoothingLengths<Dim>::SmoothingLengths(const SolverSettings& settings)
 template <int Dim>
 void SmoothingLengths<Dim>::begin(Engine<Dim>& engine, const StepPasses<Dim>& passes,
                                   ParticleSet<Dim>& particles) const {
+  if (!isAdaptive_ || isGradH_) {
+    update(engine, passes, particles);
+    return;
+  }
   constexpr int most = 10;  // of densities that jump, h from the mean density settles in as many
-  for (int k = 0; k < (isAdaptive_ && !isGradH_ ? most : 1); ++k) update(engine, passes, particles);
+  sumDensities(engine, passes.density, particles);
+  for (int k = 0; k < most; ++k) followMeanDensity(engine, passes, particles, unlimited);
 }
 
 template <int Dim>
@@ -43,12 +51,18 @@ int SmoothingLengths<Dim>::update(Engine<Dim>& engine, const StepPasses<Dim>& pa
   if (isGradH_) return updateFromOwnDensity(engine, passes, particles);
   sumDensities(engine, passes.density, particles);
   if (!isAdaptive_) return 1;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  engine.grew(updateFromMeanDensity(engine, passes.densityMoment, particles,
-                                    settings_.changeLimit.value_or(infinity)));
+  followMeanDensity(engine, passes, particles, settings_.changeLimit.value_or(unlimited));
+  return 2;
+}
+
+/// One step towards lengths and densities that fit the mean density.
+template <int Dim>
+void SmoothingLengths<Dim>::followMeanDensity(Engine<Dim>& engine, const StepPasses<Dim>& passes,
+                                              ParticleSet<Dim>& particles,
+                                              double changeLimit) const {
+  engine.grew(updateFromMeanDensity(engine, passes.densityMoment, particles, changeLimit));
   engine.update(particles);
   sumDensities(engine, passes.density, particles);
-  return 2;
 }
 
 template <int Dim>

@@ -44,6 +44,8 @@ class SmoothingLengths {
   Correction correct(ParticleSet<Dim>& particles) const;
   int updateFromOwnDensity(Engine<Dim>& engine, const StepPasses<Dim>& passes,
                            ParticleSet<Dim>& particles) const;
+  void followMeanDensity(Engine<Dim>& engine, const StepPasses<Dim>& passes,
+                         ParticleSet<Dim>& particles, double changeLimit) const;
   double updateFromMeanDensity(Engine<Dim>& engine, const PairPass<Dim>& densityMoment,
                                ParticleSet<Dim>& particles, double changeLimit) const;
   [[noreturn]] void failToConverge(const ParticleSet<Dim>& particles) const;

@@ -59,10 +59,12 @@ double statisticOf(const Series& s, const std::string& name) {
   if (name == "max") return *std::ranges::max_element(s.values);
   if (name == "mean") return meanOf(s, [](double x) { return x; });
   if (name == "mean_abs") return meanOf(s, [](double x) { return std::abs(x); });
-  if (name != "drift") throw std::invalid_argument("no statistic is called " + name);
+  const bool isRelative = name == "relative_drift";
+  if (name != "drift" && !isRelative) throw std::invalid_argument("no statistic is called " + name);
   double drift = 0;
   for (const double x : s.values) drift = std::max(drift, std::abs(x - s.values.front()));
-  return drift;
+  if (!isRelative) return drift;
+  return s.values.front() != 0 ? drift / std::abs(s.values.front()) : none;
 }
 
 }  // namespace plenum

@@ -23,8 +23,8 @@ Series seriesOf(std::span<const double> times, std::span<const double> values, d
 double valueAt(const Series& series, double time);
 
 /// "last", "min", "max", "mean", "mean_abs" (over time, by the trapezoidal rule; of a single value
-/// that value) or "drift", the largest |x - x_first|; NaN of an empty series. Throws
-/// std::invalid_argument for another name.
+/// that value), "drift", the largest |x - x_first|, or "relative_drift", that over |x_first|; NaN
+/// of an empty series. Throws std::invalid_argument for another name.
 double statisticOf(const Series& series, const std::string& name);
 
 }  // namespace plenum

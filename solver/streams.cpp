@@ -93,8 +93,7 @@ typename Streams<Dim>::Fate Streams<Dim>::fateOf(const ParticleSet<Dim>& particl
 }
 
 template <int Dim>
-void Streams<Dim>::afterMove(Engine<Dim>& engine, ParticleSet<Dim>& particles, double now,
-                             double dt) {
+void Streams<Dim>::afterMove(Engine<Dim>& engine, ParticleSet<Dim>& particles, double dt) {
   const std::size_t n = particles.nFluid();
   std::size_t bad = n, nChanged = 0;
 #pragma omp parallel for schedule(static) reduction(min : bad) reduction(+ : nChanged)
@@ -103,7 +102,7 @@ void Streams<Dim>::afterMove(Engine<Dim>& engine, ParticleSet<Dim>& particles, d
     if (fate == Fate::comesBack) bad = std::min(bad, i);
     if (fate != Fate::stays) ++nChanged;
   }
-  if (bad < n) failBackwards(particles, bad, now);
+  if (bad < n) failBackwards(particles, bad);
   if (nChanged == 0) return;
   std::vector<std::uint32_t> removed, copied;
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -151,21 +150,20 @@ void Streams<Dim>::count(const ParticleSet<Dim>& particles, const Indices& indic
 }
 
 template <int Dim>
-void Streams<Dim>::failBackwards(const ParticleSet<Dim>& particles, std::size_t i,
-                                 double now) const {
+void Streams<Dim>::failBackwards(const ParticleSet<Dim>& particles, std::size_t i) const {
   const Vec<Dim>& x = particles[field::position][i];
   const StreamPlane<Dim>* nearest = nullptr;
   for (const StreamPlane<Dim>& plane : planes_)
     if (nearest == nullptr || std::abs(plane.depth(x)) < std::abs(nearest->depth(x)))
       nearest = &plane;
-  const char* way = nearest->isInflow ? "out through the inflow" : "in through the outflow";
+  const char* way = nearest->isInflow ? "out through the inflow" : "from the outflow";
   const double at = nearest->at, speed = -nearest->along(particles[field::velocity][i]);
   throw RunError(fmt::format(
-      "particle {} at ({:.4g}): flows back {} at {} = {:g} m with {:.4g} m/s at t = {:.6g} "
-      "s: what is beyond a plane does not answer to the scene; move the plane further away, make "
+      "particle {} at ({:.4g}): flows back {} at {} = {:g} m with {:.4g} "
+      "m/s: what is beyond a plane does not answer to the scene; move the plane further away, make "
       "the stream faster or the run shorter",
-      particles[field::id][i], fmt::join(x.components, ", "), way, "xyz"[nearest->axis], at, speed,
-      now));
+      particles[field::id][i], fmt::join(x.components, ", "), way, "xyz"[nearest->axis], at,
+      speed));
 }
 
 template <int Dim>

@@ -44,10 +44,10 @@ class Streams {
   void settleBelts(const SolverSettings& settings, const typename Engine<Dim>::Options& options,
                    const StepPasses<Dim>& passes, Scene<Dim>& scene) const;
 
-  /// To be called before and after particles move by v dt [s] until `now` [s]. `afterMove` adds and
+  /// To be called before and after particles move by v dt [s]. `afterMove` adds and
   /// takes out particles. Throws RunError for fluid that goes the wrong way through a plane.
   void beforeMove(const ParticleSet<Dim>& particles);
-  void afterMove(Engine<Dim>& engine, ParticleSet<Dim>& particles, double now, double dt);
+  void afterMove(Engine<Dim>& engine, ParticleSet<Dim>& particles, double dt);
 
   /// To be called when accelerations have been stored: takes those of held fluid, and their
   /// heating, away and notes the power that is lost so.
@@ -76,8 +76,7 @@ class Streams {
   void sendBack(ParticleSet<Dim>& particles, std::size_t first);
   template <class Indices>
   void count(const ParticleSet<Dim>& particles, const Indices& indices, double sign, double dt);
-  [[noreturn]] void failBackwards(const ParticleSet<Dim>& particles, std::size_t i,
-                                  double now) const;
+  [[noreturn]] void failBackwards(const ParticleSet<Dim>& particles, std::size_t i) const;
 
   StreamPlanes<Dim> planes_;
   double h_;

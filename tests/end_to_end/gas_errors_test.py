@@ -32,9 +32,59 @@ class GasErrors(Programs):
                       "make the region smaller")
 
     def test_densities_that_are_not_sums(self):
-        self.not_run("noh", ["solver.density=continuity"], 'solver.density = "continuity"',
-                     'set density = "summation"')
-        self.assertFalse(os.path.exists(self.path("out", "history.csv")))
+        self.not_made("noh", "solver.density=continuity", "solver.density", '"continuity"',
+                      'does not go with', 'set density = "summation"')
+
+    def test_settings_that_do_not_go_together(self):
+        """Both programs refuse them, before anything is written."""
+        for setting, *expected in (
+                ("solver.collisions={}", "solver.collisions", "is for liquids"),
+                ("solver.viscosity.tensor={}", "solver.viscosity", "several artificial viscosities"),
+                ("solver.self_term_correction=true", "solver.self_term_correction", "in 2-D"),
+                ("solver.wall_pressure=extrapolated", "solver.wall_pressure", '"initial" or "zero"'),
+                ("solver.tait_exponent=7", "solver.tait_exponent", "has no effect", "leave it out"),
+                ("solver.sound_speed=7", "solver.sound_speed", "has no effect"),
+                ("solver.adaptive.change_limit=0.1", "solver.adaptive.change_limit", "no effect"),
+                ("solver.smoothing_length=0.7", "solver.smoothing_length", "too small", "above 0.746")):
+            self.not_made("noh", setting, *expected)
+            self.ok(*self.generate("noh"))
+            self.refused((SPH, "run", "gas.hdf", "-q", "-o", "out", "--set", setting), *expected)
+            self.assertFalse(os.path.exists(self.path("out", "history.csv")))
+            os.remove(self.path("gas.hdf"))
+        self.not_made("isothermal_shock", "solver.adiabatic_index=1.4", "has no effect")
+        self.not_made("isothermal_shock", "solver.conductivity={}", "only an ideal gas has")
+
+    def test_gas_that_outgrows_its_box(self):
+        """Smoothing lengths of a gas that thins out are larger than the periodic box has room for."""
+        case = self.write("thin.toml", """
+            dimension = 1
+            spacing = 0.05
+            domain = { lower = [-1], upper = [1], periodic = ["x"] }
+            output = { every = 1 }
+            [[fluid]]
+            density = 1
+            internal_energy = 0.01
+            velocity_formula = ["8*x"]
+            [solver]
+            equation_of_state = "ideal_gas"
+            integrator = "kick_drift_kick"
+            smoothing_length = 4
+            adaptive = {}
+            viscosity = { monaghan = { alpha = 1, beta = 2 } }
+            end_time = 5
+            """)
+        self.ok(IC, "generate", case, "-q", "--no-report", "-o", "gas.hdf")
+        line = self.refused((SPH, "run", "gas.hdf", "-q", "-o", "out"), "periodic axis x",
+                            "twice the kernel's support", "out/gas_failed.hdf", code=2)
+        self.assertRegex(line, r"at t = 0\.\d+ s, step \d+: ")
+
+    def test_cuts_beside_the_set(self):
+        self.ok(*self.generate("sod_3d"))
+        self.refused((IC, "preview", "gas.hdf", "--slice", "y=99", "--smooth", "-q"),
+                     "--slice y=99", "reaches from")
+        os.remove(self.path("gas.hdf"))
+        self.not_made("sedov_2d", "fluid[0].energy_deposit.point=[5, 5]",
+                      "fluid[0].energy_deposit.point", "outside of the domain")
 
     def test_smoothing_lengths_that_do_not_converge(self):
         self.not_run("noh", ["solver.adaptive.max_iterations=1", "solver.adaptive.tolerance=1e-14"],
@@ -44,7 +94,7 @@ class GasErrors(Programs):
     def test_an_energy_that_turns_negative_leaves_the_last_sound_state(self):
         self.not_run("sod", ["solver.time_step=0.02"], "particle ", "internal energy", "t = 0.02 s",
                      "solver.time_step=", "out/gas_failed.hdf", code=2)
-        self.assertIn("0.02", self.ok(SPH, "info", self.path("out", "gas_failed.hdf")))
+        self.assertIn("t = 0.02 s", self.ok(SPH, "info", self.path("out", "gas_failed.hdf")))
 
     def tunnel(self, *sets, edit=None):
         """The command that makes the open wind tunnel, with its text changed by edit(text)."""
@@ -104,7 +154,7 @@ class GasErrors(Programs):
         line = self.no_stream(["fluid[1].velocity=[0.2, 0]", "fluid[0].pressure=60"], "particle ",
                               "flows back out through the inflow at x = -4.5 m",
                               "move the plane further away", "out/gas_failed.hdf", code=2)
-        self.assertRegex(line, r"with [\d.]+ m/s at t = \d")
+        self.assertRegex(line, r"at t = [\d.]+ s, step \d+: particle .* with [\d.]+ m/s")
 
 
 if __name__ == "__main__":

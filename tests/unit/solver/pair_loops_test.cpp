@@ -124,8 +124,10 @@ void expectEqualToDoubleLoop() {
           // The fourth power of W in term::Concentration has four times its error.
           // Diffusion divides a difference of densities, each rounded to float, by the distance
           // where the kernel has a slope at r = 0; in 1-D the closest pairs are very close.
+          // The mean of two limiters and its product round twice more than viscosity alone.
           const double factor = list.writes.has(field::positionDivergence) ? 5
                                 : list.reads.has(field::densityGradient)   ? 20
+                                : list.reads.has(field::viscosityLimiter)  ? 1.5
                                                                            : 1;
           EXPECT_LE(deviation, factor * test::toleranceOf(precision))
               << nameOf(set) << ", " << test::nameOf(precision) << ", list " << termList << ", "

@@ -151,7 +151,7 @@ TEST(PreflightStreams, GasThatFlowsBackStopsTheRun) {
   const std::string out = failure(1, 1.5, -3), in = failure(2.5, 3, -3);
   for (const char* part : {"particle ", "flows back out through the inflow", "x = 1 m", "t = "})
     EXPECT_NE(out.find(part), std::string::npos) << out;
-  for (const char* part : {"particle ", "flows back in through the outflow", "x = 3 m", "t = "})
+  for (const char* part : {"particle ", "flows back from the outflow", "x = 3 m", "t = "})
     EXPECT_NE(in.find(part), std::string::npos) << in;
 }
 

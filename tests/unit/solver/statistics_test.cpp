@@ -33,6 +33,8 @@ TEST(Statistics, OthersAreOverRows) {
   EXPECT_EQ(statisticOf(s, "min"), -2);
   EXPECT_EQ(statisticOf(s, "max"), 2);
   EXPECT_EQ(statisticOf(s, "drift"), 3);
+  EXPECT_EQ(statisticOf(whole({-2, 1, -3, 0}), "relative_drift"), 1.5);
+  EXPECT_TRUE(std::isnan(statisticOf(whole({0, 1, 2, 3}), "relative_drift")));
   EXPECT_THROW(statisticOf(s, "median"), std::invalid_argument);
 }
 
@@ -49,7 +51,7 @@ TEST(Statistics, EmptyCellsDoNotCount) {
   EXPECT_EQ(statisticOf(s, "mean"), 3.5);
   EXPECT_EQ(valueAt(s, 2.5), 3.5);
   EXPECT_TRUE(std::isnan(valueAt(s, 0.5)));
-  for (const char* name : {"last", "min", "max", "mean", "mean_abs", "drift"})
+  for (const char* name : {"last", "min", "max", "mean", "mean_abs", "drift", "relative_drift"})
     EXPECT_TRUE(std::isnan(statisticOf(whole({none, none, none, none}), name))) << name;
 }
 

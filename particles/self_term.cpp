@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/self_term.hpp"
+#include "particles/self_term.hpp"
 
 #include "particles/kernels.hpp"
 
