@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <optional>
@@ -266,7 +267,11 @@ void CaseNode::set(const std::string& key, const std::string& text) {
   try {
     parsed = parse("value = " + text, origin);
   } catch (const InputError&) {
-    parsed = parse("value = '" + text + "'", origin);  // a bare word is a string
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool isNumber = error == std::errc() && end == text.data() + text.size();
+    // .05 and 5. are numbers everywhere but in TOML; a bare word is a string.
+    parsed = parse("value = " + (isNumber ? fmt::format("{}", number) : "'" + text + "'"), origin);
   }
   CaseNode* node = this;
   for (std::size_t begin = 0; begin != std::string::npos;) {

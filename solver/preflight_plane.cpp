@@ -23,7 +23,7 @@ class PlaneCheck {
              const SolverSettings& settings, const StreamPlane<Dim>& plane)
       : info_(info), particles_(particles), settings_(settings), plane_(plane) {}
 
-  /// A state that has run is asked for less: waves may have reached the belt, and gas of any
+  /// A state that has run is asked for less: waves may have reached the buffer, and gas of any
   /// density the outflow.
   void operator()() const {
     const bool hasRun = info_.time > 0, isAsGiven = !hasRun || plane_.isInflow;
@@ -123,8 +123,8 @@ class PlaneCheck {
     }
   }
 
-  /// The belt repeats with the plane's length, so this must be whole periods of the lattice. Where
-  /// the other axes are periodic, the volume of the particles tells.
+  /// The buffer repeats with the plane's length, so this must be whole periods of the lattice.
+  /// Where the other axes are periodic, the volume of the particles tells.
   void checkPeriods() const {
     double area = 1, volume = 0;
     for (int a = 0; a < Dim; ++a) {
@@ -148,14 +148,14 @@ class PlaneCheck {
   }
 
   /// Nor may particles come nearer to those that follow them by the plane's length than they stand
-  /// inside of the belt: half a period of a hexagonal lattice has the volume of a whole number of
+  /// inside of the buffer: half a period of a hexagonal lattice has the volume of a whole number of
   /// rows.
   void checkJoint() const {
-    std::vector<Vec<Dim>> belt;
+    std::vector<Vec<Dim>> buffer;
     double spacing = 0;
     for (std::size_t i = 0; i < particles_.nFluid(); ++i) {
       if (!(depthOf(i) > 0)) continue;
-      belt.push_back(particles_[field::position][i]);
+      buffer.push_back(particles_[field::position][i]);
       spacing = std::max(spacing, spacingOf(i));
     }
     const int axis = plane_.axis;
@@ -163,13 +163,13 @@ class PlaneCheck {
     domain.lower[axis] = std::min(plane_.at, plane_.end());
     domain.upper[axis] = std::max(plane_.at, plane_.end());
     domain.periodic[static_cast<std::size_t>(axis)] = true;
-    const PointSearch<Dim> search(belt, domain, 1.5 * spacing);
+    const PointSearch<Dim> search(buffer, domain, 1.5 * spacing);
     double inside = std::numeric_limits<double>::infinity(), across = inside;  // squared
-    for (std::size_t i = 0; i < belt.size(); ++i)
-      search.around(belt[i], [&](std::uint32_t j, const Vec<Dim>& d, double distanceSquared) {
+    for (std::size_t i = 0; i < buffer.size(); ++i)
+      search.around(buffer[i], [&](std::uint32_t j, const Vec<Dim>& d, double distanceSquared) {
         if (j == i) return;
         const bool isFollower =
-            std::abs(belt[j][axis] - belt[i][axis] - d[axis]) > 0.5 * plane_.length;
+            std::abs(buffer[j][axis] - buffer[i][axis] - d[axis]) > 0.5 * plane_.length;
         double& nearest = isFollower ? across : inside;
         nearest = std::min(nearest, distanceSquared);
       });
@@ -177,7 +177,8 @@ class PlaneCheck {
     if (across >= part * part * inside) return;
     refuse(fmt::format(
         "has length = {:g} m, and particles that follow each other by it stand {:.4g} m apart, "
-        "inside of the belt {:.4g} m: length must be whole periods of their lattice, for they come "
+        "inside of the buffer {:.4g} m: length must be whole periods of their lattice, for they "
+        "come "
         "in again and again; set length to a multiple of the distance of equal rows along {}, and "
         "let the fluid's region end there",
         plane_.length, std::sqrt(across), std::sqrt(inside), "xyz"[axis]));

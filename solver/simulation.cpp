@@ -100,8 +100,8 @@ void Simulation<Dim>::beginStreams() {
   if (!gas_) return;
   const double soundSpeed =
       largestSignalSpeed(scene_.particles, settings_, phases_.largestSoundSpeed());
-  streams_->settleBelts(settings_, engineOptions(scene_, settings_, soundSpeed, measuresLoads_),
-                        passes_, scene_);
+  streams_->settleBuffers(settings_, engineOptions(scene_, settings_, soundSpeed, measuresLoads_),
+                          passes_, scene_);
 }
 
 /// The state in which a run stopped.

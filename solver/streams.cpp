@@ -30,9 +30,9 @@ void Streams<Dim>::begin(const ParticleSet<Dim>& particles) {
 }
 
 template <int Dim>
-void Streams<Dim>::settleBelts(const SolverSettings& settings,
-                               const typename Engine<Dim>::Options& options,
-                               const StepPasses<Dim>& passes, Scene<Dim>& scene) const {
+void Streams<Dim>::settleBuffers(const SolverSettings& settings,
+                                 const typename Engine<Dim>::Options& options,
+                                 const StepPasses<Dim>& passes, Scene<Dim>& scene) const {
   ParticleSet<Dim>& particles = scene.particles;
   const std::size_t nFluid = particles.nFluid();
   SolverSettings withoutPlanes = settings;
@@ -52,13 +52,13 @@ void Streams<Dim>::settleBelts(const SolverSettings& settings,
     domain.lower[plane.axis] = std::min(plane.at, plane.end());
     domain.upper[plane.axis] = std::max(plane.at, plane.end());
     domain.periodic[static_cast<std::size_t>(plane.axis)] = true;
-    ParticleSet<Dim> belt = particles.fluidsOf(indices);
+    ParticleSet<Dim> buffer = particles.fluidsOf(indices);
     Engine<Dim> engine(domain, options);
-    engine.update(belt);
-    lengths.begin(engine, passes, belt);
-    for (std::size_t k = 0; k < belt.size(); ++k) {
-      const std::uint32_t i = indexOf.at(belt[field::id][k]);
-      for (const auto f : {field::smoothingLength, field::density}) particles[f][i] = belt[f][k];
+    engine.update(buffer);
+    lengths.begin(engine, passes, buffer);
+    for (std::size_t k = 0; k < buffer.size(); ++k) {
+      const std::uint32_t i = indexOf.at(buffer[field::id][k]);
+      for (const auto f : {field::smoothingLength, field::density}) particles[f][i] = buffer[f][k];
     }
   }
 }
@@ -66,10 +66,10 @@ void Streams<Dim>::settleBelts(const SolverSettings& settings,
 template <int Dim>
 void Streams<Dim>::beforeMove(const ParticleSet<Dim>& particles) {
   const auto position = particles[field::position];
-  wasOnBelt_.resize(particles.nFluid());
-  forEachIndex(wasOnBelt_.size(), [&](std::size_t i) {
+  wasInBuffer_.resize(particles.nFluid());
+  forEachIndex(wasInBuffer_.size(), [&](std::size_t i) {
     const StreamPlane<Dim>* plane = planes_.beyond(position[i]);
-    wasOnBelt_[i] = plane != nullptr && plane->isInflow;
+    wasInBuffer_[i] = plane != nullptr && plane->isInflow;
   });
 }
 
@@ -80,7 +80,7 @@ typename Streams<Dim>::Fate Streams<Dim>::fateOf(const ParticleSet<Dim>& particl
   for (const StreamPlane<Dim>& plane : planes_) {
     const double depth = plane.depth(x);
     if (plane.isInflow) {
-      if (depth > 0) return wasOnBelt_[i] ? Fate::stays : Fate::comesBack;
+      if (depth > 0) return wasInBuffer_[i] ? Fate::stays : Fate::comesBack;
     } else if (depth > 0) {
       return depth > plane.length ? Fate::leaves : Fate::stays;
     } else {
@@ -89,7 +89,7 @@ typename Streams<Dim>::Fate Streams<Dim>::fateOf(const ParticleSet<Dim>& particl
       if (depth > -h && plane.along(particles[field::velocity][i]) < 0) return Fate::comesBack;
     }
   }
-  return wasOnBelt_[i] ? Fate::comesIn : Fate::stays;
+  return wasInBuffer_[i] ? Fate::comesIn : Fate::stays;
 }
 
 template <int Dim>
@@ -117,7 +117,8 @@ void Streams<Dim>::afterMove(Engine<Dim>& engine, ParticleSet<Dim>& particles, d
   engine.forget();
 }
 
-/// Makes the fluids from `first` on, copies of those that came in, followers of theirs on the belt.
+/// Makes the fluids from `first` on, copies of those that came in, followers of theirs in the
+/// buffer.
 template <int Dim>
 void Streams<Dim>::sendBack(ParticleSet<Dim>& particles, std::size_t first) {
   for (std::size_t i = first; i < particles.nFluid(); ++i) {

@@ -25,9 +25,9 @@ struct StreamBalance {
 /// Fluid that comes in and leaves in the course of a run.
 ///
 /// Fluid beyond a plane is held: it moves on with its velocity and energy, whatever its neighbours
-/// do. Beyond an inflow it is an endless belt as long as the plane says: when a particle comes in,
-/// its copy joins the far end, one length behind it. Beyond an outflow particles are taken out when
-/// they have gone the plane's length.
+/// do. Beyond an inflow it is an endless buffer as long as the plane says: when a particle comes
+/// in, its copy joins the far end, one length behind it. Beyond an outflow particles are taken out
+/// when they have gone the plane's length.
 template <int Dim>
 class Streams {
  public:
@@ -40,9 +40,9 @@ class Streams {
   void begin(const ParticleSet<Dim>& particles);
 
   /// Where particles have smoothing lengths of their own: sets those, and densities, of the fluid
-  /// beyond each inflow to what a belt without ends has, for it may keep them for a while.
-  void settleBelts(const SolverSettings& settings, const typename Engine<Dim>::Options& options,
-                   const StepPasses<Dim>& passes, Scene<Dim>& scene) const;
+  /// beyond each inflow to what a buffer without ends has, for it may keep them for a while.
+  void settleBuffers(const SolverSettings& settings, const typename Engine<Dim>::Options& options,
+                     const StepPasses<Dim>& passes, Scene<Dim>& scene) const;
 
   /// To be called before and after particles move by v dt [s]. `afterMove` adds and
   /// takes out particles. Throws RunError for fluid that goes the wrong way through a plane.
@@ -82,7 +82,7 @@ class Streams {
   double h_;
   MaterialTable states_;
   Vec<Dim> gravity_;
-  std::vector<std::uint8_t> wasOnBelt_;  // of each fluid particle, before it moved
+  std::vector<std::uint8_t> wasInBuffer_;  // of each fluid particle, before it moved
   std::uint64_t nextId_ = 1;
   Rates held_;  // what was taken from held fluid when accelerations were stored last
   StreamBalance<Dim> balance_;

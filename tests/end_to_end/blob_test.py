@@ -36,7 +36,7 @@ class Blob(Programs):
         drift = max(abs(e / energies[0] - 1) for t, e in zip(times, energies) if t < 2.01)
         self.assertLess(drift, .01, name)
         self.assertGreater(times[-1], 2)
-        # Over the ball's mass. Where h is half of R, as in CI, a quarter of the mass is in the smoothed
+        # Over the ball's mass. Where h is half of R, without PLENUM_FIGURES, a quarter of the mass is in the smoothed
         # rim, below .64 of the cloud's density; 100 lattice points hold a ball's mass to 10 %.
         self.assertGreater(masses[0], .7, name)
         self.assertLess(masses[0], 1.1, name)

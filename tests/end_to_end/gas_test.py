@@ -19,7 +19,7 @@ VISCOSITIES = {
 }
 # Relative L1 of the density in the tube 4 : 1 and in two streams at Mach 2, by a program of its own
 # for 1-D; velocity noise behind the shock.
-SHEET = {"bulk": (.0059, .0043, .042, .218), "von Neumann-Richtmyer": (.0097, .042, .0165, .14),
+ANOTHER = {"bulk": (.0059, .0043, .042, .218), "von Neumann-Richtmyer": (.0097, .042, .0165, .14),
          "tensor (.8, 0, .1)": (.0041, .0003, .0082, .023),
          "tensor (.8, .5, .1)": (.0041, .0003, .0037, .0036),
          "linear combination": (.0063, .0031, .0093, .037)}
@@ -27,8 +27,8 @@ SHEET = {"bulk": (.0059, .0043, .042, .218), "von Neumann-Richtmyer": (.0097, .0
 
 class Gas(Programs):
     def test_isothermal_shocks_by_viscosity(self):
-        rows = [("viscosity", "tube: L1 rho", "sheet", "L1 v", "noise", "sheet", "width/h",
-                 "streams: L1 rho", "sheet", "noise", "sheet")]
+        rows = [("viscosity", "tube: L1 rho", "another", "L1 v", "noise", "another", "width/h",
+                 "streams: L1 rho", "another", "noise", "another")]
         found = {}
         for name, viscosity in VISCOSITIES.items():
             if viscosity is None:
@@ -38,10 +38,10 @@ class Gas(Programs):
                 m = self.run_case(case, f"solver.viscosity={viscosity}",
                                   "solver.integrator=symplectic_euler")[0]["measures"]
                 found[name, case] = m
-                row += [m["l1_density"], SHEET[name][k]]
+                row += [m["l1_density"], ANOTHER[name][k]]
                 if k == 0:
                     row.append(m["l1_velocity"])
-                row += [m["velocity_noise"], SHEET[name][k + 1]]
+                row += [m["velocity_noise"], ANOTHER[name][k + 1]]
                 if k == 0:
                     row.append(m["shock_width"])
             rows.append(row)
@@ -51,14 +51,14 @@ class Gas(Programs):
             return found[name, case]["l1_density"]
         for tensor in ("tensor (.8, 0, .1)", "tensor (.8, .5, .1)"):
             self.assertLessEqual(l1(tensor), .005)
-            # The sheet's window for the tube differs by some h: a tenth of its error.
-            self.assertAlmostEqual(l1(tensor), SHEET[tensor][0], delta=.0004)
+            # The other program's window for the tube differs by some h: a tenth of its error.
+            self.assertAlmostEqual(l1(tensor), ANOTHER[tensor][0], delta=.0004)
             # The combination and bulk are within a tenth of each other, in both programs.
             self.assertLess(l1(tensor), l1("bulk"))
             self.assertLess(l1("bulk"), l1("linear combination"))
             self.assertLess(l1("linear combination"), l1("von Neumann-Richtmyer"))
             # Streams: particles pass through each other at first, and what that leaves depends on the
-            # step and on how kernels of two lengths are made one. The sheet's program takes the
+            # step and on how kernels of two lengths are made one. The other program takes the
             # kernel of the mean length; with the mean of the two kernels, as here, it has .0131 to
             # .0145 for the first tensor and .0103 for the combination: their order is not compared.
             streams = "colliding_streams"
@@ -78,40 +78,36 @@ class Gas(Programs):
                  **{f"the same, at most {100 * share:g} % a step":
                     [f"solver.adaptive.change_limit={share}"] for share in (.03, .003)},
                  "from the own density, grad-h terms": ['solver.adaptive.form="grad_h"']}
-        # The sheet's tube ends at x = 0 and 24; with a constant length a rarefaction starts there that
-        # makes most of its .0455. Its own program with a tube twice as long has .0165.
-        sheet = {"constant": .0165, "from the mean density": .0026}
-        rows = [("smoothing length, 16 : 1", "L1 rho", "sheet")]
+        # The other program, with a tube long enough that nothing comes from its ends.
+        another = {"constant": .0165, "from the mean density": .0026}
+        rows = [("smoothing length, 16 : 1", "L1 rho", "another")]
         l1 = {}
         for name, form in forms.items():
             l1[name] = self.run_case("isothermal_shock", *sixteen, *form)[0]["measures"]["l1_density"]
-            rows.append((name, l1[name], sheet.get(name, "-")))
-        free = self.run_case("isothermal_shock", *sixteen, *forms["constant"],
-                             "solver.speed_limit=100", edit=with_free_ends)[0]["measures"]
-        rows.append(("constant, free ends", free["l1_density"], .0455))
+            rows.append((name, l1[name], another.get(name, "-")))
         figures.table("smoothing_lengths", rows)
-        for name, expected in sheet.items():
+        for name, expected in another.items():
             # Kernels of two lengths are made one in another way there.
             self.assertAlmostEqual(l1[name], expected, delta=.1 * expected)
-        self.assertGreater(l1["constant"], 5 * l1["from the mean density"])
-        # Ends that are free here were held there.
-        self.assertAlmostEqual(free["l1_density"], .0455, delta=.1 * .0455)
-        self.assertGreater(free["l1_density"], 10 * l1["from the mean density"])
+        # Measured 7.3 times as accurate.
+        self.assertGreater(l1["constant"], 6 * l1["from the mean density"])
 
-    # case: (sizes as d_ref, the least order of the last two, column, what others publish)
+    # case: (sizes as d_ref, the least order from the first to the last, column). Shocks: .8 is asked.
+    # In 3-D the blast's shell is thinner than h at such N, measured .31; the vortex loses its corner
+    # to the viscosity, measured .64 (both docs/validation.md).
     CONVERGENCE = {
-        "isothermal_shock": ((.1, .05, .025), .8, "l1_density", "1 (sheet)"),
-        "sod": ((.01, .005, .0025), .8, "l1_density", "about 1"),
-        "noh": ((.04, .02, .01), .8, "l1_density", ""),
-        "sedov_2d": ((.01, .005, .0025), .8, "l1_density", ""),
-        "sedov": ((.05, .04, .03), 0, "l1_density", ""),
-        "gresho": ((.04, .02, .01), 0, "l1_velocity", ".7 to 1.4"),
+        "isothermal_shock": ((.1, .05, .025), .8, "l1_density"),
+        "sod": ((.01, .005, .0025), .8, "l1_density"),
+        "noh": ((.04, .02, .01), .8, "l1_density"),
+        "sedov_2d": ((.01, .005, .0025), .8, "l1_density"),
+        "sedov": ((.05, .025), .25, "l1_density"),
+        "gresho": ((.04, .02, .01), .6, "l1_velocity"),
     }
 
     def test_convergence(self):
         rows = [("case", "N", "norm", "error", "order", "energy drift", "M updates/s")]
         curves = {}
-        for case, (sizes, least, column, _) in self.CONVERGENCE.items():
+        for case, (sizes, least, column) in self.CONVERGENCE.items():
             errors = []
             for size in sizes:
                 more = ([f"fluid[0].energy_deposit.radius={3 * size}"] if case.startswith("sedov") else [])
@@ -129,7 +125,8 @@ class Gas(Programs):
                 curves.setdefault(case, []).append((n, errors[-1]))
                 if case == "sod":
                     self.assertLess(drift, 1e-3)
-            self.assertGreaterEqual(order, least, case)
+            whole = math.log(errors[0] / errors[-1]) / math.log(sizes[0] / sizes[-1])
+            self.assertGreaterEqual(whole, least, case)
         figures.table("gas_convergence", rows)
         figures.chart("gas_convergence", "Gases against exact solutions",
                       ("particles", "error"), curves, "set logscale xy")
@@ -150,14 +147,6 @@ class Gas(Programs):
                   "set xrange [4:20]\nset yrange [-.3:4.5]\nset grid lc rgb '#dddddd' lt 1\n"
                   "set key top right\n" + exact_block() + panels + "unset multiplot\n")
         subprocess.run(["gnuplot"], input=script, text=True, check=True)
-
-
-def with_free_ends(text):
-    """The published half of the tube alone, into empty space at both ends."""
-    first, rest = text.split("[domain]")
-    return first + ("[geometry]\ntube = { box = { lower = [0], upper = [12] } }\n"
-                    "rest = { box = { lower = [12], upper = [24] } }\n\n[[fluid]]"
-                    + rest.split("[[fluid]]", 1)[1])
 
 
 def profile(path):

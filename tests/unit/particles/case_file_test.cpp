@@ -83,9 +83,11 @@ TEST(CaseNode, SetOnTheCommandLine) {
   root.set("solver.end_time", "2.5");
   root.set("output.fields", "[\"density\"]");
   root.set("new.deep.key", "true");
+  root.set("solver.cfl", ".05");  // no number in TOML, but in all that people write
   EXPECT_EQ(root.find("solver")->find("kernel")->asString(), "wendland_c2");
   EXPECT_EQ(root.find("solver")->find("end_time")->asNumber(), 2.5);
   EXPECT_EQ(root.find("output")->find("fields")->asArray()[0].asString(), "density");
+  EXPECT_EQ(root.find("solver")->find("cfl")->asNumber(), 0.05);
   EXPECT_TRUE(root.find("new")->find("deep")->find("key")->asBool());
 }
 
