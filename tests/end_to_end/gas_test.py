@@ -2,12 +2,13 @@
 """Gases against exact solutions: errors by viscosity, by smoothing length and by number of
 particles. Figures that others measured stand beside ours."""
 
+import csv
 import math
 import subprocess
 import unittest
 
 import figures
-from harness import Programs
+from harness import IC, SPH, Programs
 
 VISCOSITIES = {
     "none": None,
@@ -23,6 +24,35 @@ ANOTHER = {"bulk": (.0059, .0043, .042, .218), "von Neumann-Richtmyer": (.0097, 
          "tensor (.8, 0, .1)": (.0041, .0003, .0082, .023),
          "tensor (.8, .5, .1)": (.0041, .0003, .0037, .0036),
          "linear combination": (.0063, .0031, .0093, .037)}
+
+
+# L1 of density and velocity in tests/functional/Hydro/Noh/Noh-planar-1d.py of github.com/LLNL/spheral:
+# 100 particles from x = 0 to 1 before a mirror, quintic spline over 4.05 spacings, t = .6, mean over
+# .05 <= x <= .35.
+SPHERAL = {"SPH": (.0538, .0245), "CRKSPH": (.0506, .0077), "PSPH": (.0607, .0259),
+           "GSPH": (.0484, .0226), "FSISPH": (.0803, .0260), "MFM": (.0874, .0365)}
+
+PLANE_NOH = """
+    dimension = 1
+    spacing = {spacing}
+    geometry = {{ all = {{ box = {{ lower = [-1], upper = [1] }} }} }}
+    output = {{ every = 0.6 }}
+    [[fluid]]
+    region = "all"
+    lattice = "uniform"
+    density = 1
+    internal_energy = 1e-6
+    velocity_formula = ["-x/r"]
+    [solver]
+    equation_of_state = "ideal_gas"
+    adiabatic_index = 1.6666666666666667
+    kernel = "quintic_spline"
+    smoothing_length = 2.025
+    adaptive = {{ form = "grad_h" }}
+    viscosity = {{ monaghan = {{ alpha = 1, beta = 1 }} }}
+    integrator = "kick_drift_kick"
+    end_time = 0.6
+    """
 
 
 class Gas(Programs):
@@ -131,6 +161,29 @@ class Gas(Programs):
         figures.chart("gas_convergence", "Gases against exact solutions",
                       ("particles", "error"), curves, "set logscale xy")
 
+    def test_noh_beside_another_code(self):
+        """The plane problem in 1-D by the norm, the time and the numbers of another code's tests."""
+        rows = [("Noh, 1-D, 100 particles on each side", "L1 rho", "L1 v")]
+        rows += [(f"Spheral, {scheme}", *errors) for scheme, errors in SPHERAL.items()]
+        found = []
+        for n in (100, 200, 400):
+            case = self.write("plane.toml", PLANE_NOH.format(spacing=1 / n))
+            self.ok(IC, "generate", case, "-q", "--no-report", "-o", "plane.hdf")
+            self.ok(SPH, "run", "plane.hdf", "-q", "--anew", "-o", "out")
+            self.ok(IC, "export", self.path("out", "plane_end.hdf"), "-q", "-o", "end.csv")
+            with open(self.path("end.csv")) as file:
+                particles = list(csv.DictReader(file))
+            errors = [mean_error(particles, "density [kg/m]", lambda x: 4 if x < .2 else 1),
+                      mean_error(particles, "velocity_x [m/s]", lambda x: 0 if x < .2 else -1)]
+            found.append(errors[0])
+            rows.append((f"this program, {n}", *errors))
+        figures.table("noh_beside_spheral", rows)
+        # As the largest of the others: they limit the viscosity by the gradient of the velocity or
+        # solve Riemann problems, [N]'s Pi does neither.
+        self.assertLess(found[0], .09)
+        for coarse, fine in zip(found, found[1:]):
+            self.assertGreaterEqual(math.log2(coarse / fine), .8)
+
     def test_figure_three(self):
         """Density and velocity of the tube by viscosity, as figure 3 of [A]."""
         if not figures.FOLDER:
@@ -147,6 +200,18 @@ class Gas(Programs):
                   "set xrange [4:20]\nset yrange [-.3:4.5]\nset grid lc rgb '#dddddd' lt 1\n"
                   "set key top right\n" + exact_block() + panels + "unset multiplot\n")
         subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
+def mean_error(particles, column, exact, lower=.05, upper=.35):
+    """The mean of |value - exact(x)| over lower <= x <= upper; a particle stands for the way to the
+    middles between it and its neighbours."""
+    points = sorted((float(p["position_x [m]"]), float(p[column])) for p in particles)
+    total = length = 0
+    for (before, _), (x, value), (after, _) in zip(points, points[1:], points[2:]):
+        left, right = (min(max(y, lower), upper) for y in ((before + x) / 2, (x + after) / 2))
+        total += (right - left) * abs(value - exact(x))
+        length += right - left
+    return total / length
 
 
 def profile(path):
