@@ -7,7 +7,10 @@
 #include "engine/point_search.hpp"
 #include "ictools/neighbour_sums.hpp"
 #include "ictools/profile_errors.hpp"
+#include "particles/case_settings.hpp"
+#include "particles/number.hpp"
 #include "particles/parallel.hpp"
+#include "particles/self_term.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +29,14 @@ struct QualitySums {
   std::vector<Vec<Dim>> kernelGradient;  ///< [1/m], towards the particles
 };
 
+/// What the run that the set is made for takes from summed densities, in m h^-d.
+template <int Dim>
+double selfTermOf(const SceneInfo<Dim>& info) {
+  if (info.caseText.empty()) return 0;
+  const CaseSettings settings = readCase(CaseNode::parse(info.caseText, info.caseName));
+  return selfTermCorrection(settings.solverOrDefaults(), Dim);
+}
+
 /// Sorts `particles` for the engine.
 template <int Dim>
 QualitySums<Dim> qualitySums(const Scene<Dim>& scene, ParticleSet<Dim>& particles) {
@@ -38,8 +49,13 @@ QualitySums<Dim> qualitySums(const Scene<Dim>& scene, ParticleSet<Dim>& particle
   engine.run(neighbourPass<Dim>(NeighbourSum::quality,
                                 {KernelId::named(scene.info.kernel), 0, true}, options.units),
              particles);
-  return {engine.sums(field::density), engine.sums(field::kernelSum),
-          engine.sums(field::kernelGradient)};
+  QualitySums<Dim> sums{engine.sums(field::density), engine.sums(field::kernelSum),
+                        engine.sums(field::kernelGradient)};
+  if (const double selfTerm = selfTermOf(scene.info); selfTerm != 0)
+    for (std::size_t i = 0; i < sums.density.size(); ++i)
+      sums.density[i] -=
+          selfTerm * particles[field::mass][i] / power<Dim>(particles[field::smoothingLength][i]);
+  return sums;
 }
 
 /// Whether nobody stands where the gradient of the kernel sum misses somebody: no particle within

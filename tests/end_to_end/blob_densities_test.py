@@ -76,6 +76,13 @@ class BlobDensities(Programs):
             self.assertLess(scatter, 1.5)  # a random set has 10 % and more
         figures.table("blob_even", rows)
 
+    def test_the_card_has_the_run_s_correction(self):
+        """Dehnen & Aly's correction of self-terms, if the case asks for it."""
+        bias = self.even("hcp", "wendland_c2", 100)[0]
+        corrected = self.even("hcp", "wendland_c2", 100, "self_term_correction = true\n")[0]
+        self.assertGreater(bias, .3)
+        self.assertLess(abs(corrected), .05 + STRETCH)
+
     def test_the_whole_scene(self):
         rows = [("bias % (scatter %)", "neighbours", "inside", "at the seam", "worst")]
         for kernel in KERNELS:
