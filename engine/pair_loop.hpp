@@ -11,6 +11,7 @@
 #include "engine/units.hpp"
 #include "particles/kernels.hpp"
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 
@@ -154,6 +155,7 @@ class TileLoop {
     const Constants constants = constants_;  // a copy that no store can change
     for (std::uint32_t k = 0; k < nTiles; ++k) {
       const LocalCluster<Dim>& local = work_.locals[tiles[k]];
+      loadAhead<toNeighbours>(work_.locals[tiles[std::min(k + 1, nTiles - 1)]]);
       for (int part = 0; part < n; part += lanes) {
         Particle neighbour =
             particle(local.cluster, [&](const T* x) { return Real::load(x + part); });
@@ -169,6 +171,19 @@ class TileLoop {
         }
       }
     }
+  }
+
+  /// Asks for the numbers of the next tile's neighbours while those of this one are computed.
+  template <bool toNeighbours>
+  [[gnu::always_inline]] void loadAhead(const LocalCluster<Dim>& local) const {
+    constexpr int line = 64 / sizeof(T);
+    const auto ask = [](const T* from, int count) __attribute__((always_inline)) {
+#pragma GCC unroll 16
+      for (int k = 0; k < count; k += line) __builtin_prefetch(from + k);
+    };
+    ask(work_.positions + local.cluster * std::size_t{Dim * n}, Dim * n);
+    ask(work_.fields + local.cluster * std::size_t{nIn * n}, nIn * n);
+    if constexpr (toNeighbours) ask(work_.sums + std::size_t{local.sums} * (nOut * n), nOut * n);
   }
 
   /// Both sides of a pair: what they share is computed once.
