@@ -20,9 +20,8 @@ struct Errors {
   double withSign = 0;  ///< about this value the column sways
 };
 
-/// With the case's own step and duration. Longer steps are unstable for the narrower kernels, and
-/// cubic_spline at 1.5 d_ref slowly leaves its lattice: 1.96 % with this step, 1.91 % with twice
-/// it. Means over the first .5 s are up to .07 away.
+/// With the case's own step and duration. Longer steps are unstable for the narrower kernels. Means
+/// over the first .5 s are up to .07 away.
 Errors measureTank(const test::Changes& changes) {
   auto [scene, settings] = test::sceneOf<2>("hydrostatic_tank.toml", changes);
   settings.measures->order = false;
@@ -61,14 +60,20 @@ struct Row {
   const char* kernel;
   double h;                         ///< [d_ref]
   std::optional<double> asPrinted;  ///< in the source's table
+  const char* precision = "mixed";
 };
+
+/// The hexagonal lattice is unstable for cubic_spline at 1.5 d_ref: it leaves its place as rounding
+/// grows. With pairs in float that happens before 1 s (mean to .8 s 2.00 %, to 1 s 1.91 to 1.96 %
+/// as the order of sums will have it), with pairs in double after it (1.98 %).
+constexpr Row unstableLattice{"cubic_spline", 1.5, {}, "double"};
 
 class HydrostaticTank : public testing::TestWithParam<Row> {};
 INSTANTIATE_TEST_SUITE_P(Table1, HydrostaticTank,
                          testing::Values(Row{"wendland_c2_1d", 1.5, 1.32},
                                          Row{"wendland_c2_1d", 2, {}}, Row{"wendland_c2", 1.5, {}},
                                          Row{"wendland_c2", 2, {}}, Row{"convex", 1.5, 2.76},
-                                         Row{"convex", 2, 1.20}, Row{"cubic_spline", 1.5, {}},
+                                         Row{"convex", 2, 1.20}, unstableLattice,
                                          Row{"cubic_spline", 2, {}}, Row{"wendland_c4", 1.5, {}},
                                          Row{"wendland_c4", 2, {}}, Row{"quintic_spline", 1.5, {}},
                                          Row{"quintic_spline", 2, {}}),
@@ -78,8 +83,9 @@ INSTANTIATE_TEST_SUITE_P(Table1, HydrostaticTank,
 
 TEST_P(HydrostaticTank, HasTheErrorOfItsKernel) {
   const Row& row = GetParam();
-  const Errors here = measureTank(
-      {{"solver.kernel", row.kernel}, {"solver.smoothing_length", fmt::format("{:.1f}", row.h)}});
+  const Errors here = measureTank({{"solver.kernel", row.kernel},
+                                   {"solver.smoothing_length", fmt::format("{:.1f}", row.h)},
+                                   {"solver.precision", row.precision}});
   const double expected = closedForm(row.kernel, row.h);
   std::cout << fmt::format("  {:15} {:.1f}: closed form {:.3f} %, here {:.3f} %, |.| {:.3f} %{}\n",
                            row.kernel, row.h, expected, here.withSign, here.absolute,
