@@ -22,9 +22,10 @@ expect engine particles
 expect geometry particles
 expect ictools geometry engine particles
 expect solver engine particles
+expect studies solver ictools geometry engine particles
 expect bench solver ictools geometry engine particles
 
-leak=$(grep -rnE '#include [<"](CGAL|gmsh)' particles engine ictools solver bench --include='*.?pp' ||
+leak=$(grep -rnE '#include [<"](CGAL|gmsh)' particles engine ictools solver studies bench --include='*.?pp' ||
   true)
 leak+=$(grep -nE '#include [<"](CGAL|gmsh)' geometry/*.hpp || true)
 if [ -n "$leak" ]; then

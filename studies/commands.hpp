@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace plenum::study {
+
+/// A subcommand that has been declared: where it was parsed, `run` does it and returns the exit
+/// code.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+
+/// Subcommands of `plenum-study stability` that compute: transforms of kernels, modes of lattices,
+/// growth of those modes in the solver.
+std::vector<Command> addLatticeCommands(CLI::App& stability);
+
+/// Subcommands of `plenum-study stability` that run cases: maps of pairing, tension, time steps,
+/// collisions, interfaces.
+std::vector<Command> addMapCommands(CLI::App& stability);
+
+}  // namespace plenum::study

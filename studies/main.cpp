@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// plenum-study: what accuracy costs, and where methods become unstable.
+#include "particles/command_line.hpp"
+#include "particles/version.hpp"
+#include "studies/commands.hpp"
+
+namespace plenum::study {
+
+namespace {
+
+constexpr const char* examples = R"(
+Exit code: 0 done, 1 the input is at fault, 2 failure. A run of a study that fails is a result.)";
+
+int main(int argc, char** argv) {
+  CLI::App app{"plenum-study: charts speed against accuracy, and where methods fail"};
+  app.footer(examples);
+  app.set_version_flag("--version", fmt::format("plenum-study {}", version));
+  CLI::App* stability = app.add_subcommand("stability", "where methods become unstable");
+  stability->require_subcommand(1);
+  std::vector<Command> commands = addLatticeCommands(*stability);
+  for (Command& command : addMapCommands(*stability)) commands.push_back(std::move(command));
+  if (const auto code = parseCommandLine(app, argc, argv)) return *code;
+  for (const Command& command : commands)
+    if (command.app->parsed()) return command.run();
+  return exitOk;
+}
+
+}  // namespace
+
+}  // namespace plenum::study
+
+int main(int argc, char** argv) {
+  return plenum::runProgram("plenum-study", [&] { return plenum::study::main(argc, argv); });
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace plenum::study {
+
+/// The two programs that studies run.
+struct Programs {
+  std::filesystem::path ic, sph;
+
+  /// Beside this program, where they are installed, or where CMake builds them; or in `folder` if
+  /// that is not empty. Throws InputError that names where was looked.
+  static Programs find(const std::filesystem::path& folder);
+
+  /// A text that changes when either program does.
+  std::string fingerprint() const;
+};
+
+}  // namespace plenum::study
