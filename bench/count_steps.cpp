@@ -2,7 +2,7 @@
 //
 // plenum-count-steps STEPS: runs a small dam break for a counter of instructions
 // (tests/unit/bench/instruction_count_test.sh) and prints what the counts are to be divided by.
-#include "bench/interactions.hpp"
+#include "solver/interactions.hpp"
 #include "bench/scenes.hpp"
 #include "engine/instruction_set.hpp"
 #include "particles/errors.hpp"

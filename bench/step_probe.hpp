@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/case.hpp"
-#include "bench/interactions.hpp"
+#include "solver/interactions.hpp"
 #include "engine/stopwatch.hpp"
 
 #include <functional>

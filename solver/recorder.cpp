@@ -170,10 +170,10 @@ void Recorder<Dim>::drawFirst(const Simulation<Dim>& simulation) const {
 template <int Dim>
 void Recorder<Dim>::finish(const Simulation<Dim>& simulation,
                            const std::vector<ValidationResult>& validation,
-                           const ActivityClock& clock) const {
+                           std::optional<double> meanNeighbours, const ActivityClock& clock) const {
   draw(simulation, "last.png");
   writeParticleFile(options_.folder / (options_.name + "_end.hdf"), simulation.scene());
-  writeSummary(simulation, clock);
+  writeSummary(simulation, meanNeighbours, clock);
   if (!validation.empty()) writeValidation(options_.folder / "validation.json", validation);
 }
 
@@ -212,6 +212,7 @@ std::string Recorder<Dim>::speed(const Simulation<Dim>& simulation,
 
 template <int Dim>
 void Recorder<Dim>::writeSummary(const Simulation<Dim>& simulation,
+                                 std::optional<double> meanNeighbours,
                                  const ActivityClock& clock) const {
   using Json = nlohmann::ordered_json;
   const ParticleSet<Dim>& particles = simulation.particles();
@@ -225,7 +226,7 @@ void Recorder<Dim>::writeSummary(const Simulation<Dim>& simulation,
   for (std::size_t k = 0; k < partNames.size(); ++k)
     parts[std::string(partNames[k])] =
         simulation.engine().stopwatch().seconds(static_cast<Part>(k));
-  const Json summary{
+  Json summary{
       {"title", simulation.info().title},
       {"case", simulation.info().caseName},
       {"program", fmt::format("plenum-sph {}", version)},
@@ -249,6 +250,7 @@ void Recorder<Dim>::writeSummary(const Simulation<Dim>& simulation,
       {"precision", simulation.settings().precision},
       {"threads", omp_get_max_threads()},
   };
+  if (meanNeighbours) summary["neighbours_mean"] = *meanNeighbours;
   writeTextFile(options_.folder / "summary.json", summary.dump(2) + "\n");
 }
 

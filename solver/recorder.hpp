@@ -32,8 +32,9 @@ class Recorder {
   void addRow(std::vector<Figure> row);              ///< the next row of history.csv
   void drawFirst(const Simulation<Dim>& simulation) const;
   /// The last picture, the end file, the summary and, if the case asks for some, the verdicts.
+  /// `meanNeighbours` are others in the support of a fluid particle.
   void finish(const Simulation<Dim>& simulation, const std::vector<ValidationResult>& validation,
-              const ActivityClock& clock) const;
+              std::optional<double> meanNeighbours, const ActivityClock& clock) const;
 
   /// Writes the state as it stands when a run fails, NAME_failed.hdf, .vtu and failed.png. Returns
   /// a sentence that says where it is, or why it could not be written; throws nothing.
@@ -52,7 +53,8 @@ class Recorder {
       const Simulation<Dim>& simulation, const std::string& fileName,
       bool failed = false) const;  // a failed state as balls, whose numbers need not be finite
   double updatesPerSecond(const Simulation<Dim>& simulation, const ActivityClock& clock) const;
-  void writeSummary(const Simulation<Dim>& simulation, const ActivityClock& clock) const;
+  void writeSummary(const Simulation<Dim>& simulation, std::optional<double> meanNeighbours,
+                    const ActivityClock& clock) const;
 
   RunOptions options_;
   CaseSettings settings_;

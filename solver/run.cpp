@@ -5,6 +5,7 @@
 #include "particles/progress.hpp"
 #include "particles/version.hpp"
 #include "solver/checkpoints.hpp"
+#include "solver/interactions.hpp"
 #include "solver/recorder.hpp"
 #include "solver/schedule.hpp"
 #include "solver/state_row.hpp"
@@ -151,8 +152,18 @@ class Run {
     simulation_.notePause();
     simulation_.describeState(fmt::format("plenum-sph {}", version), std::move(figures));
     RunResult result{recorder_->lastRow(), validation_->evaluate(), 0, {}};
-    recorder_->finish(simulation_, result.validation, clock_);
+    recorder_->finish(simulation_, result.validation, meanNeighbours(), clock_);
     return result;
+  }
+
+  /// Others in the support of a fluid particle, in the last step. None where particles have come or
+  /// gone since it summed over pairs, or where there was no step.
+  std::optional<double> meanNeighbours() {
+    const std::size_t nFluid = simulation_.particles().nFluid();
+    if (simulation_.time() <= simulation_.runStart() || solver_.hasStreams() || nFluid == 0)
+      return std::nullopt;
+    return countInteractions(simulation_.engine(), simulation_.particles(), false).ofFluids /
+           static_cast<double>(nFluid);
   }
 
   std::string hintOfCheckpoints() const {

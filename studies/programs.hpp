@@ -9,13 +9,11 @@ namespace plenum::study {
 /// The two programs that studies run.
 struct Programs {
   std::filesystem::path ic, sph;
+  std::string fingerprint;  ///< another one for other bytes of either program
 
   /// Beside this program, where they are installed, or where CMake builds them; or in `folder` if
   /// that is not empty. Throws InputError that names where was looked.
   static Programs find(const std::filesystem::path& folder);
-
-  /// A text that changes when either program does.
-  std::string fingerprint() const;
 };
 
 }  // namespace plenum::study

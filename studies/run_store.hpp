@@ -4,11 +4,10 @@
 // of their own, and kept in a folder, so that no run is made twice.
 #pragma once
 
+#include "studies/outcome.hpp"
 #include "studies/programs.hpp"
 
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,63 +20,28 @@ struct RunRequest {
   bool quick = false;  ///< with the values of the case's table [quick]
 };
 
-/// What one entry of the case's [[validate]] came to.
-struct Validated {
-  std::string quantity, statistic, unit, verdict;
-  std::optional<double> measured, expected;
-};
-
-/// What a run came to. A run that failed is a result, too.
-struct RunOutcome {
-  bool isReused = false;              ///< was there before this study asked
-  std::string failure;                ///< why it ended early, one line; empty: it came to its end
-  std::optional<double> failureTime;  ///< in the run's own time [s]
-  double endTime = 0;                 ///< of the last state [s]
-  std::map<std::string, double> figures;  ///< of the last state, as in summary.json
-  std::vector<Validated> validation;
-  long steps = 0;
-  long fluidParticles = 0, wallParticles = 0;
-  double cpuSeconds = 0;               ///< of plenum-sph, all threads
-  double stepCpuSeconds = 0;           ///< of it, in steps: without measures and files
-  double wallSeconds = 0;              ///< of plenum-sph
-  std::optional<double> instructions;  ///< of plenum-sph, where the machine counts them
-  double peakBytes = 0;                ///< of plenum-sph
-  double updatesPerSecond = 0;         ///< fluid particles moved one step, a second
-  double interactionsPerSecond = 0;    ///< pairs within the support of a fluid particle, a second
-  std::filesystem::path folder;        ///< its history.csv, last.png, validation.json, ...
-
-  bool hasFailed() const { return !failure.empty(); }
-};
-
 class RunStore {
  public:
-  /// Keeps runs in `folder`, in one folder each, named by a key of the case's text with the
-  /// settings, the number of threads and the two programs.
+  /// Keeps runs in `folder`, in one folder each, named by a key of the case as the settings leave
+  /// it, the files that it names, the number of threads and the two programs.
   RunStore(std::filesystem::path folder, Programs programs, bool quiet);
 
   /// The outcomes, in the order of the requests; runs that are there already are not made again.
   /// `jobs` processes at once: one where times count. Shows progress under `label`. Throws
-  /// InputError, before anything runs, if settings do not exist or cannot be combined, naming each.
+  /// InputError, before anything runs, if settings do not exist or cannot be combined.
   std::vector<RunOutcome> run(const std::vector<RunRequest>& requests, int jobs,
                               const std::string& label);
 
-  /// Throws InputError that lists every request whose settings plenum-ic or plenum-sph would
-  /// refuse.
-  void requireUsable(const std::vector<RunRequest>& requests) const;
+  /// Throws InputError that lists every request whose case plenum-ic would refuse.
+  static void requireUsable(const std::vector<RunRequest>& requests);
 
  private:
   std::filesystem::path folderOf(const RunRequest& request) const;
+  RunOutcome make(const RunRequest& request, const std::filesystem::path& folder) const;
 
   std::filesystem::path folder_;
   Programs programs_;
   bool quiet_;
 };
-
-/// A column of a run's history.csv, named without its unit, with the times [s]. Empty cells are
-/// left out.
-struct HistoryColumn {
-  std::vector<double> times, values;
-};
-HistoryColumn historyOf(const RunOutcome& outcome, const std::string& name);
 
 }  // namespace plenum::study

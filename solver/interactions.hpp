@@ -3,7 +3,7 @@
 
 #include "engine/engine.hpp"
 
-namespace plenum::bench {
+namespace plenum {
 
 /// Ordered pairs (i, j), i != j, within the support, which may be one of i: what the sums of i run
 /// over.
@@ -18,4 +18,4 @@ template <int Dim>
 Interactions countInteractions(Engine<Dim>& engine, const ParticleSet<Dim>& particles,
                                bool wallsReceive);
 
-}  // namespace plenum::bench
+}  // namespace plenum

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/interactions.hpp"
+#include "solver/interactions.hpp"
 
 #include "engine/pass_of.hpp"
 #include "solver/pass_choice.hpp"
 
-namespace plenum::bench {
+namespace plenum {
 
 namespace {
 
@@ -67,7 +67,8 @@ Interactions countInteractions(Engine<Dim>& engine, const ParticleSet<Dim>& part
   return sumOf(engine, particles, wallsReceive, NeighbourCount{engine.support()});
 }
 
+template Interactions countInteractions<1>(Engine<1>&, const ParticleSet<1>&, bool);
 template Interactions countInteractions<2>(Engine<2>&, const ParticleSet<2>&, bool);
 template Interactions countInteractions<3>(Engine<3>&, const ParticleSet<3>&, bool);
 
-}  // namespace plenum::bench
+}  // namespace plenum
