@@ -90,12 +90,6 @@ CaseNode CaseNode::load(const std::filesystem::path& path) {
   return parse(text.str(), path.string());
 }
 
-std::string CaseNode::printedFile(const std::string& comment) const {
-  std::string text = "# " + comment + "\n";
-  for (const auto& [key, node] : asTable()) text += key + " = " + node.printed() + "\n";
-  return text;
-}
-
 std::string CaseNode::where() const {
   const std::string where = line_ > 0 ? fmt::format("{}:{}", *fileName_, line_) : *fileName_;
   if (path_.empty()) return where;
@@ -134,6 +128,8 @@ bool isBareKey(const std::string& key) {
   });
 }
 
+std::string printedKey(const std::string& key) { return isBareKey(key) ? key : quoted(key); }
+
 }  // namespace
 
 std::string CaseNode::printed() const {
@@ -150,12 +146,36 @@ std::string CaseNode::printed() const {
     std::string operator()(const Table& entries) const {
       std::string text;
       for (const auto& [key, node] : entries)
-        text += (text.empty() ? "" : ", ") + (isBareKey(key) ? key : quoted(key)) + " = " +
-                node.printed();
+        text += (text.empty() ? "" : ", ") + printedKey(key) + " = " + node.printed();
       return "{ " + text + " }";
     }
   };
   return std::visit(Printer{}, value_);
+}
+
+std::string CaseNode::printedFile(const std::string& comment) const {
+  std::string text = "# " + comment + "\n", sections;
+  const auto lines = [](const CaseNode& table) {
+    std::string all;
+    for (const auto& [key, node] : table.asTable())
+      all += fmt::format("{} = {}\n", printedKey(key), node.printed());
+    return all;
+  };
+  const auto isListOfTables = [](const CaseNode& node) {
+    return node.isArray() && !node.asArray().empty() &&
+           std::ranges::all_of(node.asArray(), &CaseNode::isTable);
+  };
+  for (const auto& [key, node] : asTable()) {
+    if (node.isTable()) {
+      sections += fmt::format("\n[{}]\n{}", printedKey(key), lines(node));
+    } else if (isListOfTables(node)) {
+      for (const CaseNode& item : node.asArray())
+        sections += fmt::format("\n[[{}]]\n{}", printedKey(key), lines(item));
+    } else {
+      text += fmt::format("{} = {}\n", printedKey(key), node.printed());
+    }
+  }
+  return text + sections;
 }
 
 namespace {
@@ -289,6 +309,32 @@ void CaseNode::set(const std::string& key, const std::string& text) {
   }
   node->value_ = parsed.find("value")->value_;
   node->comeFrom(std::make_shared<const std::string>(origin), node->path_);
+}
+
+void CaseNode::remove(const std::string& key) {
+  const std::size_t dot = key.rfind('.');
+  const KeyPart last(key.substr(dot == std::string::npos ? 0 : dot + 1), "remove " + key);
+  CaseNode* parent = this;
+  for (std::size_t begin = 0; dot != std::string::npos && begin <= dot;) {
+    const std::size_t end = key.find('.', begin);
+    auto* table = std::get_if<Table>(&parent->value_);
+    if (table == nullptr) return;
+    const auto entry =
+        std::ranges::find(*table, key.substr(begin, end - begin), &Table::value_type::first);
+    if (entry == table->end()) return;
+    parent = &entry->second;
+    begin = end + 1;
+  }
+  auto* table = std::get_if<Table>(&parent->value_);
+  if (table == nullptr) return;
+  const auto entry = std::ranges::find(*table, last.name, &Table::value_type::first);
+  if (entry == table->end()) return;
+  if (!last.index) {
+    table->erase(entry);
+  } else if (auto* items = std::get_if<Array>(&entry->second.value_);
+             items != nullptr && *last.index < items->size()) {
+    items->erase(items->begin() + static_cast<std::ptrdiff_t>(*last.index));
+  }
 }
 
 }  // namespace plenum

@@ -55,6 +55,10 @@ class CaseNode {
   /// as strings. Throws InputError for an index beyond the list.
   void set(const std::string& key, const std::string& text);
 
+  /// Takes `key`, or an entry of a list ("solver.collisions", "fluid[1]"), out of the case, if it
+  /// is there. Lists inside of lists are not looked into.
+  void remove(const std::string& key);
+
   /// The value as it would stand in the file, for messages.
   std::string printed() const;
 

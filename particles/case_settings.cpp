@@ -246,6 +246,10 @@ const Section<CaseSettings>& caseSection() {
           .node("quick", &S::quick, "table",
                 "values of other keys (\"solver.end_time\" = 0.1) for a look that takes seconds: "
                 "`plenum-ic generate --quick`, `./run --quick`")
+          .text("uniform", &S::uniform,
+                "3-D: an axis along which the scene does not vary; `plenum-study minimal` tries it "
+                "without",
+                {"none", "x", "y", "z"})
           .text("container", &S::container,
                 "region in which fluid may be, for the measures; absent: where it starts")
           .section("solver", &S::solver, solverSection())

@@ -179,6 +179,7 @@ struct CaseSettings {
   std::optional<CaseNode> refinements;
   std::optional<CaseNode> relax;
   std::optional<CaseNode> quick;
+  std::string uniform = "none";  ///< axis along which a 3-D scene does not vary
   std::string container;  ///< name of the region in which fluid may be; "": where fluid starts
   std::optional<SolverSettings> solver;
   std::optional<OutputSettings> output;

@@ -21,7 +21,7 @@ struct Series {
   std::string name;  ///< in the key; empty: not there
   SeriesStyle style = SeriesStyle::points;
   std::vector<ChartPoint> points;
-  bool isLabelled = false;  ///< labels are printed beside the points, too
+  bool isNumbered = false;  ///< points have their numbers beside them, from 1
 };
 
 struct Axis {

@@ -17,6 +17,12 @@ struct Command {
   std::function<int()> run;
 };
 
+/// `plenum-study accuracy`: a case over a grid of settings.
+Command addAccuracy(CLI::App& app);
+
+/// `plenum-study minimal`: the cheapest setting that meets an error.
+Command addMinimal(CLI::App& app);
+
 /// Subcommands of `plenum-study stability` that compute: transforms of kernels, modes of lattices,
 /// growth of those modes in the solver.
 std::vector<Command> addLatticeCommands(CLI::App& stability);

@@ -16,10 +16,11 @@ int main(int argc, char** argv) {
   CLI::App app{"plenum-study: charts speed against accuracy, and where methods fail"};
   app.footer(examples);
   app.set_version_flag("--version", fmt::format("plenum-study {}", version));
+  std::vector<Command> commands{addAccuracy(app), addMinimal(app)};
   CLI::App* stability = app.add_subcommand("stability", "where methods become unstable");
   stability->require_subcommand(1);
-  std::vector<Command> commands = addLatticeCommands(*stability);
-  for (Command& command : addMapCommands(*stability)) commands.push_back(std::move(command));
+  for (const auto& add : {addLatticeCommands, addMapCommands})
+    for (Command& command : add(*stability)) commands.push_back(std::move(command));
   if (const auto code = parseCommandLine(app, argc, argv)) return *code;
   for (const Command& command : commands)
     if (command.app->parsed()) return command.run();

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a study of accuracy leaves: results.csv, charts, report.html.
+#include "particles/atomic_file.hpp"
+#include "particles/version.hpp"
+#include "studies/accuracy.hpp"
+#include "studies/chart.hpp"
+#include "studies/closed_form.hpp"
+#include "studies/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace plenum::study {
+
+namespace {
+
+std::string axisLabel(const Study& study) {
+  return study.unit.empty() ? study.measure.name()
+                            : fmt::format("{} [{}]", study.measure.name(), study.unit);
+}
+
+std::string labelOf(const Study& study, const StudyRow& row) {
+  return fmt::format("{}: {}, {:.3g} s", row.name, study.printed(*row.error), row.cost());
+}
+
+/// Error against cost, a series for each value of the first axis, and the Pareto front.
+Chart costChart(const Study& study) {
+  Chart chart{study.settings.title + ": error against cost",
+              {"CPU time of the steps [s]", true, {}, {}},
+              {axisLabel(study), true, {}, {}},
+              {}};
+  std::map<std::size_t, Series> series;
+  for (const std::size_t k : study.measuredRows()) {
+    const StudyRow& row = study.rows[k];
+    const std::size_t first = row.at.empty() ? 0 : row.at[0];
+    Series& one = series[first];
+    one.name = study.axes.empty() ? "as the case" : study.axes[0].textOf(first);
+    one.points.push_back({row.cost(), *row.error, labelOf(study, row)});
+  }
+  for (auto& [value, one] : series) chart.series.push_back(std::move(one));
+  Series front{"Pareto front", SeriesStyle::line, {}, true};  // numbered as frontLines does
+  for (const std::size_t k : study.front())
+    front.points.push_back(
+        {study.rows[k].cost(), *study.rows[k].error, labelOf(study, study.rows[k])});
+  chart.series.push_back(std::move(front));
+  return chart;
+}
+
+/// The front of costChart, from 1.
+std::vector<std::string> frontLines(const Study& study) {
+  std::vector<std::string> lines{"On the Pareto front, where nothing is both cheaper and better:"};
+  for (const std::size_t k : study.front())
+    lines.push_back(fmt::format("{}. {}", lines.size(), labelOf(study, study.rows[k])));
+  return lines;
+}
+
+std::optional<double> numberIn(const std::string& text) {
+  double value = 0;
+  const std::string whole = text.starts_with('.') ? "0" + text : text;
+  const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), value);
+  if (error != std::errc() || end != whole.data() + whole.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<std::size_t> axisOf(const Study& study, const std::string& key) {
+  for (std::size_t a = 0; a < study.axes.size(); ++a)
+    if (study.axes[a].keys.front() == key) return a;
+  return std::nullopt;
+}
+
+/// The points of one kernel at each smoothing length, and the closed form through them.
+std::vector<Series> columnSeries(const Study& study, const HydrostaticColumn& column,
+                                 const std::string& kernel, const std::vector<std::size_t>& rows,
+                                 std::size_t lengthAxis) {
+  Series measured{kernel, SeriesStyle::points, {}, false};
+  Series expected{"", SeriesStyle::line, {}, false};
+  double lowest = 10, highest = 0;
+  for (const std::size_t k : rows) {
+    const StudyRow& row = study.rows[k];
+    const double h = numberIn(study.axes[lengthAxis].textOf(row.at[lengthAxis])).value();
+    measured.points.push_back({h, *row.error, labelOf(study, row)});
+    lowest = std::min(lowest, h);
+    highest = std::max(highest, h);
+  }
+  for (double h = lowest; h < highest + 0.005; h += 0.01)
+    expected.points.push_back({h, std::abs(column.error(kernel, h)), ""});
+  return {measured, expected};
+}
+
+/// For a column of water at rest whose smoothing length is varied: the closed form of its error.
+std::optional<Chart> columnChart(const Study& study) {
+  const auto column = HydrostaticColumn::of(study.settings);
+  const auto lengthAxis = axisOf(study, "solver.smoothing_length");
+  if (!column || !lengthAxis || study.measure.quantity != "pressure_gradient_error")
+    return std::nullopt;
+  const auto kernelAxis = axisOf(study, "solver.kernel");
+  std::map<std::string, std::vector<std::size_t>> rowsOf;
+  for (const std::size_t k : study.measuredRows())
+    rowsOf[kernelAxis ? study.axes[*kernelAxis].textOf(study.rows[k].at[*kernelAxis])
+                      : study.settings.solverOrDefaults().kernel]
+        .push_back(k);
+  Chart chart{study.settings.title + ": measured (points) and in closed form (lines)",
+              {"h/d_ref", false, {}, {}},
+              {axisLabel(study), true, {}, {}},
+              {}};
+  for (const auto& [kernel, rows] : rowsOf)
+    for (Series& series : columnSeries(study, *column, kernel, rows, *lengthAxis))
+      chart.series.push_back(std::move(series));
+  return chart;
+}
+
+PageTable pageTable(const Study& study) {
+  PageTable table;
+  for (const Variation& axis : study.axes) table.columns.push_back(axis.name);
+  for (const std::string& name :
+       {axisLabel(study), std::string("CPU time of the steps [s]"), std::string("all CPU time [s]"),
+        std::string("peak memory [MiB]"), std::string("million interactions a second"),
+        std::string("steps"), std::string("particles"), std::string("remark")})
+    table.columns.push_back(name);
+  const std::vector<std::size_t> front = study.front();
+  for (std::size_t k = 0; k < study.rows.size(); ++k) {
+    const StudyRow& row = study.rows[k];
+    const RunOutcome& run = row.outcome;
+    std::vector<std::string> cells;
+    for (std::size_t a = 0; a < study.axes.size(); ++a)
+      cells.push_back(study.axes[a].textOf(row.at[a]));
+    cells.push_back(row.error ? fmt::format("{:.4g}", *row.error) : "");
+    cells.push_back(fmt::format("{:.3g}", row.cost()));
+    cells.push_back(fmt::format("{:.3g}", run.cost.cpuSeconds));
+    cells.push_back(fmt::format("{:.1f}", run.cost.peakBytes / 1048576));
+    cells.push_back(fmt::format("{:.1f}", 1e-6 * run.cost.interactionsPerSecond));
+    cells.push_back(std::to_string(run.steps));
+    cells.push_back(std::to_string(run.fluidParticles + run.wallParticles));
+    cells.push_back(run.hasFailed()                    ? "failed: " + run.failure
+                    : std::ranges::count(front, k) > 0 ? "front"
+                                                       : "");
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+/// The last states of the front's runs, and of those that failed.
+std::vector<PagePicture> picturesOf(const Study& study) {
+  std::vector<std::size_t> shown = study.front();
+  for (std::size_t k = 0; k < study.rows.size(); ++k)
+    if (study.rows[k].outcome.hasFailed()) shown.push_back(k);
+  std::vector<PagePicture> pictures;
+  for (const std::size_t k : shown) {
+    const RunOutcome& run = study.rows[k].outcome;
+    const auto png = run.folder / (run.hasFailed() ? "failed.png" : "last.png");
+    if (pictures.size() < 12 && std::filesystem::exists(png))
+      pictures.push_back({png, study.rows[k].name + (run.hasFailed() ? ": failed" : "")});
+  }
+  return pictures;
+}
+
+}  // namespace
+
+void writeAccuracy(const Study& study, const AccuracyOptions& options) {
+  writeTextFile(options.folder / "results.csv", csvOf(study));
+  PagePart findings{"What the runs say", sentencesOf(study, options), {}, {}, {}};
+  if (!study.measuredRows().empty())
+    for (std::string& line : frontLines(study)) findings.paragraphs.push_back(std::move(line));
+  const auto add = [&](const Chart& chart, const std::string& name) {
+    writeChart(options.folder / name, chart);
+    findings.svgs.push_back(svgOf(chart, name));
+  };
+  if (!study.measuredRows().empty()) add(costChart(study), "error_cost");
+  if (const auto chart = columnChart(study)) add(*chart, "closed_form");
+  const std::string how = fmt::format(
+      "{} runs of {} by plenum-study {}, {} at once. Costs are CPU seconds of plenum-sph in steps, "
+      "without measures and files.",
+      study.rows.size(), study.caseFile.filename().string(), version, options.jobs);
+  const Page page{study.settings.title + ": speed against accuracy",
+                  {std::move(findings),
+                   {"All runs", {how}, {}, pageTable(study), {}},
+                   {"Final states", {}, {}, {}, picturesOf(study)}}};
+  writeTextFile(options.folder / "report.html", htmlOf(page));
+}
+
+}  // namespace plenum::study

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/errors.hpp"
+#include "studies/study.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace plenum::study {
+
+namespace {
+
+/// The largest of 1, 2 and 5 times a power of ten that is not above `value`.
+double roundedDown(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= value) return factor * power;
+  return power;
+}
+
+/// A round error in the middle of the front, that it reaches.
+double errorInTheMiddle(const Study& study, const std::vector<std::size_t>& front) {
+  const double best = *study.rows[front.back()].error;
+  const double middle = roundedDown(*study.rows[front[front.size() / 2]].error);
+  return middle >= best ? middle : *study.rows[front[front.size() / 2]].error;
+}
+
+/// What paying more than for the place `at` of the front buys: the first row that costs twice as
+/// much or more, or the last one.
+std::string whatMoreBuys(const Study& study, const std::vector<std::size_t>& front,
+                         std::size_t at) {
+  if (at + 1 == front.size()) return "no dearer setting of this study is more accurate";
+  const StudyRow& here = study.rows[front[at]];
+  std::size_t next = at + 1;
+  while (next + 1 < front.size() && study.rows[front[next]].cost() < 2 * here.cost()) ++next;
+  const StudyRow& more = study.rows[front[next]];
+  return fmt::format("paying {:.2g} times as much buys {} ({}, {:.3g} s)",
+                     more.cost() / here.cost(), study.printed(*more.error), more.name, more.cost());
+}
+
+/// A setting of a comparison: the value of each axis that it names.
+using Chosen = std::map<std::size_t, std::size_t>;
+
+Chosen chosenIn(const Study& study, const std::string& text) {
+  Chosen chosen;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::string name = part.substr(0, equals);
+    const auto axis = std::ranges::find(study.axes, name, &Variation::name);
+    if (axis == study.axes.end()) {
+      std::vector<std::string> names;
+      for (const Variation& known : study.axes) names.push_back(known.name);
+      throw InputError(fmt::format("--compare {}: the study does not vary '{}'; it varies {}", text,
+                                   name, fmt::join(names, ", ")));
+    }
+    std::vector<std::string> values;
+    for (std::size_t k = 0; k < axis->values.size(); ++k) values.push_back(axis->textOf(k));
+    const auto value = std::ranges::find(values, part.substr(std::min(equals + 1, part.size())));
+    if (value == values.end())
+      throw InputError(
+          fmt::format("--compare {}: {} is none of {}", text, part, fmt::join(values, ", ")));
+    chosen[static_cast<std::size_t>(axis - study.axes.begin())] =
+        static_cast<std::size_t>(value - values.begin());
+  }
+  if (chosen.empty()) throw InputError("--compare: write AXIS=VALUE,AXIS=VALUE for each setting");
+  return chosen;
+}
+
+bool isNumeric(const Variation& axis) {
+  return std::ranges::all_of(axis.values, [](const auto& value) {
+    double number = 0;
+    const auto [end, error] =
+        std::from_chars(value[0].data(), value[0].data() + value[0].size(), number);
+    return error == std::errc() && end == value[0].data() + value[0].size();
+  });
+}
+
+/// Rows that agree with `row` along axes that nobody chose, and with `chosen` but for numbers.
+std::vector<std::size_t> curveOf(const Study& study, const Chosen& chosen, const StudyRow& row) {
+  std::vector<std::size_t> curve;
+  for (const std::size_t k : study.measuredRows()) {
+    bool belongs = true;
+    for (std::size_t a = 0; a < study.axes.size(); ++a) {
+      const auto value = chosen.find(a);
+      const bool isFree = value != chosen.end() && isNumeric(study.axes[a]);
+      const std::size_t wanted = value == chosen.end() ? row.at[a] : value->second;
+      belongs &= isFree || study.rows[k].at[a] == wanted;
+    }
+    if (belongs) curve.push_back(k);
+  }
+  return curve;
+}
+
+bool agrees(const StudyRow& row, const Chosen& chosen) {
+  return std::ranges::all_of(chosen, [&](const auto& c) { return row.at[c.first] == c.second; });
+}
+
+std::string nameOf(const Study& study, const Chosen& chosen) {
+  std::vector<Variation> axes;
+  std::vector<std::size_t> at;
+  for (const auto& [axis, value] : chosen) {
+    axes.push_back(study.axes[axis]);
+    at.push_back(value);
+  }
+  return describe(axes, at);
+}
+
+}  // namespace
+
+std::vector<std::string> adviceOf(const Study& study, std::vector<double> errors) {
+  const std::vector<std::size_t> front = study.front();
+  if (front.empty()) return {"no run of this study came to its end: there is nothing to advise"};
+  if (errors.empty()) errors.push_back(errorInTheMiddle(study, front));
+  std::vector<std::string> sentences;
+  for (const double error : errors) {
+    const auto found =
+        std::ranges::find_if(front, [&](std::size_t k) { return *study.rows[k].error <= error; });
+    if (found == front.end()) {
+      sentences.push_back(fmt::format(
+          "No setting of this study is within {}; the best is {}: {}.", study.printed(error),
+          study.printed(*study.rows[front.back()].error), study.rows[front.back()].name));
+      continue;
+    }
+    const StudyRow& row = study.rows[*found];
+    sentences.push_back(
+        fmt::format("The cheapest setting within {}: {}: {}, {:.3g} s; {}.", study.printed(error),
+                    row.name, study.printed(*row.error), row.cost(),
+                    whatMoreBuys(study, front, static_cast<std::size_t>(found - front.begin()))));
+  }
+  return sentences;
+}
+
+std::string comparisonOf(const Study& study, const std::string& one, const std::string& other) {
+  const Chosen a = chosenIn(study, one), b = chosenIn(study, other);
+  double logSum = 0, errorSum = 0;
+  int n = 0;
+  for (const StudyRow& row : study.rows) {
+    if (!row.error || !agrees(row, a)) continue;
+    const std::optional<double> cost =
+        costAtError(study.pointsOf(curveOf(study, b, row)), *row.error);
+    if (!cost) continue;
+    logSum += std::log(*cost / row.cost());
+    errorSum += *row.error;
+    ++n;
+  }
+  const std::string nameA = nameOf(study, a), nameB = nameOf(study, b);
+  if (n == 0)
+    return fmt::format(
+        "{} and {} cannot be compared at equal error: no runs of the second enclose "
+        "the error of the first.",
+        nameA, nameB);
+  const double ratio = std::exp(logSum / n);
+  return fmt::format(
+      "At the error of {} ({}), {} with its numbers chosen for that error costs {:.2f} times as "
+      "much (geometric mean of {} pair{} of runs): {} is cheaper at equal error.",
+      nameA, study.printed(errorSum / n), nameB, ratio, n, n == 1 ? "" : "s",
+      ratio < 1 ? nameB : nameA);
+}
+
+}  // namespace plenum::study

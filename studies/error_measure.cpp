@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/error_measure.hpp"
+
+#include "particles/errors.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace plenum::study {
+
+namespace {
+
+/// A measure that is zero where all is right.
+bool isErrorByName(const std::string& quantity, const std::string& statistic) {
+  const auto has = [&](const char* word) { return quantity.find(word) != std::string::npos; };
+  return has("error") || has("drift") || quantity.starts_with("l1_") ||
+         quantity.starts_with("l2_") || statistic.find("drift") != std::string::npos;
+}
+
+}  // namespace
+
+std::string ErrorMeasure::name() const {
+  return statistic.empty() || statistic == "at" || statistic == "last"
+             ? quantity
+             : fmt::format("{} ({})", quantity, statistic);
+}
+
+std::optional<double> ErrorMeasure::of(const RunOutcome& outcome) const {
+  if (outcome.hasFailed() || entry >= outcome.validation.size()) return std::nullopt;
+  const Validated& found = outcome.validation[entry];
+  if (!found.measured || (isDifference && !found.expected)) return std::nullopt;
+  const double error = std::abs(isDifference ? *found.measured - *found.expected : *found.measured);
+  return scale ? error / *scale : error;
+}
+
+std::vector<ErrorMeasure> errorMeasuresOf(const CaseSettings& settings) {
+  std::vector<ErrorMeasure> measures;
+  for (std::size_t k = 0; k < settings.validations.size(); ++k) {
+    const ValidateSettings& asked = settings.validations[k];
+    ErrorMeasure measure{k, asked.quantity, asked.statisticOrDefault(), false, {}};
+    if (!isErrorByName(asked.quantity, measure.statistic) && !asked.curve) {
+      if (!asked.expected) continue;
+      measure.isDifference = true;
+      if (asked.relativeTolerance && *asked.expected != 0)
+        measure.scale = std::abs(*asked.expected);
+    }
+    measures.push_back(measure);
+  }
+  return measures;
+}
+
+ErrorMeasure errorMeasureNamed(const CaseSettings& settings, const std::string& asked) {
+  const std::vector<ErrorMeasure> measures = errorMeasuresOf(settings);
+  if (measures.empty())
+    throw InputError(
+        fmt::format("the case \"{}\" has no [[validate]] entry that is an error or has "
+                    "an expected value: nothing to hold accuracy to; add one",
+                    settings.title));
+  if (asked.empty()) return measures.front();
+  const std::size_t colon = asked.find(':');
+  for (const ErrorMeasure& measure : measures)
+    if (measure.quantity == asked.substr(0, colon) &&
+        (colon == std::string::npos || measure.statistic == asked.substr(colon + 1)))
+      return measure;
+  std::vector<std::string> known;
+  for (const ErrorMeasure& measure : measures)
+    known.push_back(measure.statistic.empty() ? measure.quantity
+                                              : measure.quantity + ":" + measure.statistic);
+  throw InputError(fmt::format("--quantity {}: the case \"{}\" cannot be held to it; it has {}",
+                               asked, settings.title, fmt::join(known, ", ")));
+}
+
+}  // namespace plenum::study

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/minimal.hpp"
+
+#include "particles/atomic_file.hpp"
+#include "particles/errors.hpp"
+#include "particles/findings.hpp"
+#include "studies/leave_outs.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <map>
+
+namespace plenum::study {
+
+namespace {
+
+CaseNode rootOf(const RunRequest& request) {
+  CaseNode root = CaseNode::load(request.caseFile);
+  applyChanges(root, request.quick, request.settings);
+  return root;
+}
+
+/// Names of files, which are beside the case, from the root folder on: the case may move.
+void makeFileNamesAbsolute(const CaseNode& node, const std::filesystem::path& folder,
+                           CaseNode& root) {
+  if (node.isTable()) {
+    for (const auto& [key, child] : node.asTable()) makeFileNamesAbsolute(child, folder, root);
+  } else if (node.isArray()) {
+    for (const CaseNode& child : node.asArray()) makeFileNamesAbsolute(child, folder, root);
+  } else if (node.isString() && !node.asString().empty()) {
+    std::error_code none;
+    const auto file = std::filesystem::absolute(folder / node.asString());
+    if (std::filesystem::is_regular_file(file, none))
+      root.set(node.path(), "'" + file.string() + "'");
+  }
+}
+
+/// What a run of a case is thought to cost: particles, steps and neighbours, in any unit.
+double workOf(const CaseSettings& settings) {
+  const SolverSettings solver = settings.solverOrDefaults();
+  const double spacing = settings.spacing, h = solver.smoothingLength;
+  const int d = settings.dimension;
+  const double steps = solver.timeStep ? solver.endTime / *solver.timeStep
+                                       : solver.endTime / (solver.cfl * h * spacing);
+  const double perParticle = 10 + std::pow(2 * h, d);  // work beside that of pairs counts, too
+  const double perPair = solver.precision == "double" ? 1.5 : 1;
+  return steps * std::pow(spacing, -d) * perParticle * perPair;
+}
+
+std::vector<std::string> defaultAxes(const CaseSettings& settings) {
+  const double d = settings.spacing;
+  return {"kernel=wendland_c2,wendland_c4,convex,cubic_spline,quintic_spline", "h=1.3,1.5,2",
+          fmt::format("spacing={},{},{}", 4 * d, 2 * d, d)};
+}
+
+/// Candidates of a grid, with families that share all but the spacing.
+std::vector<Candidate> candidatesOf(const std::vector<Variation>& axes,
+                                    const std::vector<Combination>& grid) {
+  std::map<std::vector<std::size_t>, std::size_t> families;
+  std::vector<Candidate> candidates;
+  for (const Combination& point : grid) {
+    std::vector<std::size_t> family = point.at;
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      if (axes[a].keys.front() == "spacing") family[a] = 0;
+    const CaseSettings settings = readCase(rootOf(point.request));
+    candidates.push_back({workOf(settings), settings.spacing,
+                          families.try_emplace(family, families.size()).first->second});
+  }
+  return candidates;
+}
+
+/// Takes away what is not needed, from `root` on.
+class Simplifier {
+ public:
+  Simplifier(const AccuracyOptions& options, RunStore& store, double error)
+      : options_(options), store_(store), error_(error) {}
+
+  void operator()(Minimal& minimal) {
+    // What is kept once is not tried again: a case without less needs it even more.
+    std::size_t next = 0;
+    for (std::vector<LeaveOut> left = leaveOutsOf(*minimal.root); next < left.size();) {
+      const TriedWithout tried = tryOne(left[next], minimal);
+      minimal.without.push_back(tried);
+      if (!tried.isLeftOut) {
+        ++next;
+        continue;
+      }
+      minimal.root = left[next].root;
+      minimal.error = tried.error;
+      minimal.cost = tried.cost;
+      left = leaveOutsOf(*minimal.root);  // without the one that is gone, the others as before
+    }
+  }
+
+ private:
+  /// A run of a case that no file holds yet.
+  TriedWithout tryOne(const LeaveOut& without, const Minimal& minimal) {
+    TriedWithout tried{without.what, false, {}, 0, ""};
+    try {
+      const ErrorMeasure measure = errorMeasureNamed(readCase(without.root), options_.quantity);
+      const auto file = options_.folder / "less.toml";
+      writeTextFile(file, without.root.printedFile(options_.caseFile.filename().string() +
+                                                   " without " + without.what));
+      const RunOutcome outcome = store_.run({{file, {}, 1, false}}, 1, without.what).front();
+      tried.error = measure.of(outcome);
+      tried.cost = outcome.cost.stepCpuSeconds;
+      tried.failure = outcome.failure;
+    } catch (const InputError& error) {
+      tried.failure = findingsOf(error).front().text();
+    }
+    // Times of one run scatter by some hundredths.
+    tried.isLeftOut = tried.error && *tried.error <= error_ && tried.cost <= 1.1 * minimal.cost;
+    return tried;
+  }
+
+  const AccuracyOptions& options_;
+  RunStore& store_;
+  double error_;
+};
+
+}  // namespace
+
+Minimal findMinimal(const AccuracyOptions& options, double error) {
+  Minimal minimal;
+  Study& study = minimal.tried;
+  const RunRequest base{options.caseFile, options.settings, 1, options.quick};
+  study.caseFile = options.caseFile;
+  study.settings = readCase(rootOf(base));
+  study.measure = errorMeasureNamed(study.settings, options.quantity);
+  for (const std::string& text : options.vary.empty() ? defaultAxes(study.settings) : options.vary)
+    study.axes.push_back(Variation::parse(text, options.caseFile));
+  const std::vector<Combination> grid = gridOf(study.axes, base);
+  minimal.nOfGrid = grid.size();
+  std::vector<RunRequest> requests;
+  for (const Combination& point : grid) requests.push_back(point.request);
+  RunStore::requireUsable(requests);
+  RunStore store(options.folder / "runs", Programs::find(options.programs), true);
+
+  const auto run = [&](std::size_t k) -> std::optional<CostAndError> {
+    const std::string name = describe(study.axes, grid[k].at);
+    const RunOutcome outcome = store.run({grid[k].request}, 1, name).front();
+    study.rows.push_back({grid[k].at, name, outcome, study.measure.of(outcome)});
+    const StudyRow& row = study.rows.back();
+    if (study.unit.empty() && !study.measure.scale &&
+        study.measure.entry < outcome.validation.size())
+      study.unit = outcome.validation[study.measure.entry].unit;
+    minimal.searchCost += row.cost();
+    if (!options.quiet)
+      std::cerr << fmt::format(
+          "{:3} of at most {}: {}: {}\n", study.rows.size(), grid.size(), name,
+          row.error ? study.printed(*row.error) : "failed: " + row.outcome.failure);
+    return row.error ? std::optional(CostAndError{row.cost(), *row.error}) : std::nullopt;
+  };
+  const Search search = findCheapest(candidatesOf(study.axes, grid), error, run);
+  if (!search.found) return minimal;
+  for (std::size_t t = 0; t < search.tried.size(); ++t)
+    if (search.tried[t] == *search.found) minimal.found = t;
+  const StudyRow& row = study.rows[*minimal.found];
+  const CaseNode found = rootOf(grid[*search.found].request);
+  minimal.root = found;
+  makeFileNamesAbsolute(found, options.caseFile.parent_path(), *minimal.root);
+  minimal.error = row.error;
+  minimal.cost = row.cost();
+  Simplifier(options, store, error)(minimal);
+  return minimal;
+}
+
+std::vector<std::string> sentencesOf(const Minimal& minimal, double error) {
+  const Study& study = minimal.tried;
+  if (!minimal.found) {
+    std::vector<std::string> sentences = adviceOf(study, {error});
+    sentences.push_back(fmt::format("{} of {} settings were run; the others cannot reach it.",
+                                    study.rows.size(), minimal.nOfGrid));
+    return sentences;
+  }
+  const StudyRow& row = study.rows[*minimal.found];
+  std::vector<std::string> sentences{fmt::format(
+      "The cheapest setting within {}: {}: {}, {:.3g} s. {} of {} settings were run, {:.3g} s.",
+      study.printed(error), row.name, study.printed(*row.error), row.cost(), study.rows.size(),
+      minimal.nOfGrid, minimal.searchCost)};
+  for (const TriedWithout& tried : minimal.without)
+    sentences.push_back(tried.error
+                            ? fmt::format("Without {}: {}, {:.3g} s: {}.", tried.what,
+                                          study.printed(*tried.error), tried.cost,
+                                          tried.isLeftOut ? "left out" : "kept")
+                            : fmt::format("Without {}: {}: kept.", tried.what,
+                                          tried.failure.empty() ? "no value" : tried.failure));
+  return sentences;
+}
+
+}  // namespace plenum::study

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/study.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace plenum::study {
+
+namespace {
+
+/// A cell of a file of comma separated values.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string cell(std::optional<double> value) { return value ? fmt::format("{}", *value) : ""; }
+
+std::vector<std::string> headerOf(const Study& study) {
+  std::vector<std::string> names;
+  for (const Variation& axis : study.axes) names.push_back(cell(axis.name));
+  names.push_back(cell(fmt::format("error of {} [{}]", study.measure.name(), study.unit)));
+  for (const ValidateSettings& asked : study.settings.validations) {
+    const std::string statistic = asked.statisticOrDefault();
+    names.push_back(cell(statistic.empty() ? asked.quantity : asked.quantity + ":" + statistic));
+  }
+  for (const char* name :
+       {"cpu in steps [s]", "cpu [s]", "wall clock [s]", "instructions", "peak memory [bytes]",
+        "updates [1/s]", "interactions [1/s]", "steps", "fluid particles", "wall particles",
+        "failure", "failed at [s]", "folder"})
+    names.emplace_back(name);
+  return names;
+}
+
+std::vector<std::string> cellsOf(const Study& study, const StudyRow& row) {
+  std::vector<std::string> cells;
+  for (std::size_t a = 0; a < study.axes.size(); ++a)
+    cells.push_back(cell(study.axes[a].textOf(row.at[a])));
+  cells.push_back(cell(row.error));
+  const RunOutcome& run = row.outcome;
+  for (std::size_t k = 0; k < study.settings.validations.size(); ++k)
+    cells.push_back(k < run.validation.size() ? cell(run.validation[k].measured) : "");
+  const RunCost& cost = run.cost;
+  for (const double value : {cost.stepCpuSeconds, cost.cpuSeconds, cost.wallSeconds})
+    cells.push_back(fmt::format("{:.4g}", value));
+  cells.push_back(cell(cost.instructions));
+  for (const double value : {cost.peakBytes, cost.updatesPerSecond, cost.interactionsPerSecond})
+    cells.push_back(fmt::format("{:.0f}", value));
+  for (const long count : {run.steps, run.fluidParticles, run.wallParticles})
+    cells.push_back(std::to_string(count));
+  cells.push_back(cell(run.failure));
+  cells.push_back(cell(run.failureTime));
+  cells.push_back(cell(run.folder.filename().string()));
+  return cells;
+}
+
+}  // namespace
+
+std::vector<std::size_t> Study::measuredRows() const {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].error) found.push_back(k);
+  return found;
+}
+
+std::vector<CostAndError> Study::pointsOf(const std::vector<std::size_t>& which) const {
+  std::vector<CostAndError> points;
+  for (const std::size_t k : which) points.push_back({rows[k].cost(), rows[k].error.value()});
+  return points;
+}
+
+std::vector<std::size_t> Study::front() const {
+  const std::vector<std::size_t> measured = measuredRows();
+  std::vector<std::size_t> places;
+  for (const std::size_t k : paretoFront(pointsOf(measured))) places.push_back(measured[k]);
+  return places;
+}
+
+std::string Study::printed(double error) const {
+  return unit.empty() ? fmt::format("{:.3g}", error) : fmt::format("{:.3g} {}", error, unit);
+}
+
+std::string csvOf(const Study& study) {
+  std::string text = fmt::format("{}\n", fmt::join(headerOf(study), ","));
+  for (const StudyRow& row : study.rows)
+    text += fmt::format("{}\n", fmt::join(cellsOf(study, row), ","));
+  return text;
+}
+
+}  // namespace plenum::study

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A grid of runs of one case, with the error and the cost of each.
+#pragma once
+
+#include "studies/error_measure.hpp"
+#include "studies/front.hpp"
+#include "studies/variation.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plenum::study {
+
+struct StudyRow {
+  std::vector<std::size_t> at;  ///< value of each axis
+  std::string name;             ///< the values, for people
+  RunOutcome outcome;
+  std::optional<double> error;  ///< by the study's measure; none if the run failed
+
+  double cost() const { return outcome.cost.stepCpuSeconds; }  ///< [s]
+};
+
+struct Study {
+  std::filesystem::path caseFile;
+  CaseSettings settings;  ///< of the case, without what is varied
+  std::vector<Variation> axes;
+  ErrorMeasure measure;
+  std::string unit;  ///< of the error, "" if it has none
+  std::vector<StudyRow> rows;
+
+  /// Places of the rows that have an error, and their cost and error.
+  std::vector<std::size_t> measuredRows() const;
+  std::vector<CostAndError> pointsOf(const std::vector<std::size_t>& which) const;
+  /// Places of the rows on the Pareto front, by rising cost.
+  std::vector<std::size_t> front() const;
+  /// An error with its unit: "1.18 %".
+  std::string printed(double error) const;
+};
+
+/// Rows as comma separated values: axes, error, every figure of [[validate]], cost, memory,
+/// failure.
+std::string csvOf(const Study& study);
+
+/// What the study says, a sentence each: the cheapest setting within each of `errors` and what
+/// paying more buys; with none given, within 1, 2 or 5 times a power of ten in the middle of the
+/// front.
+std::vector<std::string> adviceOf(const Study& study, std::vector<double> errors);
+
+/// Which of two settings, each given as values "kernel=convex" of axes, is cheaper at equal error.
+/// Each stands for the row that has its values; it is compared with what the other costs at its
+/// error, between that other's rows along the axes that are given for both. Throws InputError for
+/// values that are not in the study.
+std::string comparisonOf(const Study& study, const std::string& one, const std::string& other);
+
+}  // namespace plenum::study

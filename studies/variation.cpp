@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/variation.hpp"
+
+#include "particles/case_settings.hpp"
+#include "particles/errors.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace plenum::study {
+
+namespace {
+
+constexpr const char *threadsKey = "threads", *factorKey = "time_step_factor";
+
+/// The parts of `text` between separators that stand in no brackets and no quotation marks.
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  char quote = 0;
+  for (const char c : text) {
+    if (quote != 0) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else {
+      depth += (c == '{' || c == '[') - (c == '}' || c == ']');
+      if (c == separator && depth == 0) {
+        parts.emplace_back();
+        continue;
+      }
+    }
+    parts.back() += c;
+  }
+  return parts;
+}
+
+std::optional<double> numberIn(const std::string& text) {
+  double value = 0;
+  const std::string whole = text.starts_with('.') ? "0" + text : text;
+  const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), value);
+  if (error != std::errc() || end != whole.data() + whole.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> keysOf(const SectionDoc& section) {
+  std::vector<std::string> keys;
+  for (const ParameterDoc& parameter : section.parameters) keys.push_back(parameter.key);
+  for (const SectionDoc& inner : section.inner) keys.push_back(inner.key);
+  return keys;
+}
+
+/// Short names that stand for other keys, or for no key of a case.
+const std::vector<std::pair<std::string, std::string>> shortNames{{"h", "solver.smoothing_length"},
+                                                                  {"walls", "solver.wall_pressure"},
+                                                                  {"relaxation", "relax"},
+                                                                  {threadsKey, threadsKey},
+                                                                  {factorKey, factorKey}};
+
+/// The keys of a case that the name on a command line stands for.
+std::vector<std::string> keysNamed(const std::string& name, const CaseNode& root) {
+  for (const auto& [shorter, key] : shortNames)
+    if (shorter == name) return {key};
+  if (name == "lattice") {
+    std::vector<std::string> keys;
+    const CaseNode* fluids = root.find("fluid");
+    const std::size_t n = fluids != nullptr && fluids->isArray() ? fluids->asArray().size() : 0;
+    for (std::size_t k = 0; k < n; ++k) keys.push_back(fmt::format("fluid[{}].lattice", k));
+    return keys;
+  }
+  if (name.find_first_of(".[") != std::string::npos) return {name};
+  const std::vector<std::string> ofSolver = keysOf(solverSection().doc("solver"));
+  if (std::ranges::count(ofSolver, name) > 0) return {"solver." + name};
+  std::vector<std::string> known = keysOf(caseSection().doc(""));
+  if (std::ranges::count(known, name) > 0) return {name};
+  known.insert(known.end(), ofSolver.begin(), ofSolver.end());
+  for (const auto& [shorter, key] : shortNames) known.push_back(shorter);
+  known.push_back("lattice");
+  std::ranges::sort(known);
+  const std::string guess = nearest(name, known);
+  throw InputError(fmt::format(
+      "--vary {}: there is no such setting{}; there are {}, and every key "
+      "of a case in full, as fluid[0].seed",
+      name, guess.empty() ? "" : fmt::format(", did you mean {}?", guess), fmt::join(known, ", ")));
+}
+
+/// What a case has at a key that may be absent.
+std::optional<double> numberAt(const CaseNode& root, const char* table, const char* key) {
+  const CaseNode* in = *table == 0 ? &root : root.find(table);
+  const CaseNode* node = in != nullptr && in->isTable() ? in->find(key) : nullptr;
+  return node != nullptr && node->isNumber() ? std::optional(node->asNumber()) : std::nullopt;
+}
+
+bool names(const std::vector<std::string>& settings, const std::string& key) {
+  return std::ranges::any_of(settings, [&](const std::string& s) { return s.starts_with(key); });
+}
+
+/// The case's own step, as far as spacing and factor change it.
+void setTimeStep(const RunRequest& base, double factor, bool variesSpacing, RunRequest& request) {
+  CaseNode before = CaseNode::load(base.caseFile), after = before;
+  applyChanges(before, base.quick, base.settings);
+  applyChanges(after, base.quick, request.settings);
+  if (const auto step = numberAt(after, "solver", "time_step")) {
+    const bool isSet = *step != numberAt(before, "solver", "time_step");
+    const auto spacing = numberAt(after, "", "spacing"), first = numberAt(before, "", "spacing");
+    if (variesSpacing && !isSet && spacing && first) factor *= *spacing / *first;
+    if (factor != 1) request.settings.push_back(fmt::format("solver.time_step={}", *step * factor));
+  } else if (factor != 1) {
+    const double cfl = numberAt(after, "solver", "cfl").value_or(SolverSettings{}.cfl);
+    request.settings.push_back(fmt::format("solver.cfl={}", cfl * factor));
+  }
+}
+
+}  // namespace
+
+Variation Variation::parse(const std::string& text, const std::filesystem::path& caseFile) {
+  const CaseNode root = CaseNode::load(caseFile);
+  const auto [left, right] = CaseNode::splitAssignment(text);
+  Variation axis;
+  const std::vector<std::string> given = split(left, ':');
+  axis.name = given[0];
+  std::vector<std::size_t> wide;  // keys that each name stands for
+  for (const std::string& name : given) {
+    const std::vector<std::string> keys = keysNamed(name, root);
+    wide.push_back(keys.size());
+    axis.keys.insert(axis.keys.end(), keys.begin(), keys.end());
+  }
+  for (const std::string& value : split(right, ',')) {
+    const std::vector<std::string> tied = split(value, ':');
+    if (tied.size() != given.size() || std::ranges::count(tied, "") > 0)
+      throw InputError(
+          fmt::format("--vary {}: '{}' has {} values for {}; write --vary "
+                      "KEY=VALUE,VALUE or KEY:KEY=VALUE:VALUE,VALUE:VALUE",
+                      text, value, value.empty() ? 0 : tied.size(), fmt::join(given, ":")));
+    axis.values.emplace_back();
+    for (std::size_t k = 0; k < given.size(); ++k)
+      axis.values.back().insert(axis.values.back().end(), wide[k], tied[k]);
+  }
+  return axis;
+}
+
+std::vector<Combination> gridOf(const std::vector<Variation>& axes, const RunRequest& base) {
+  std::vector<Combination> grid;
+  std::vector<std::size_t> at(axes.size(), 0);
+  for (;;) {
+    Combination point{at, base};
+    double factor = 1;
+    bool variesSpacing = false;
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      for (std::size_t k = 0; k < axes[a].keys.size(); ++k) {
+        const std::string &key = axes[a].keys[k], &value = axes[a].values[at[a]][k];
+        if (value == "case") continue;
+        if (key == threadsKey || key == factorKey) {
+          const std::optional<double> number = numberIn(value);
+          if (!number || *number <= 0 || (key == threadsKey && *number != std::floor(*number)))
+            throw InputError(fmt::format("--vary {}: '{}' is no positive {}", key, value,
+                                         key == threadsKey ? "whole number" : "number"));
+          if (key == threadsKey) point.request.threads = static_cast<int>(*number);
+          if (key == factorKey) factor = *number;
+        } else {
+          variesSpacing |= key == "spacing";
+          point.request.settings.push_back(key + "=" + value);
+        }
+      }
+    if (factor != 1 || (variesSpacing && !names(point.request.settings, "solver.time_step=")))
+      setTimeStep(base, factor, variesSpacing, point.request);
+    grid.push_back(std::move(point));
+    std::size_t a = axes.size();
+    while (a > 0 && ++at[a - 1] == axes[a - 1].values.size()) at[--a] = 0;
+    if (a == 0) return grid;
+  }
+}
+
+std::string describe(const std::vector<Variation>& axes, const std::vector<std::size_t>& at) {
+  std::vector<std::string> parts;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const std::string& value = axes[a].textOf(at[a]);
+    const bool isPlain = numberIn(value) || value == "case" || value.starts_with('{');
+    parts.push_back(!isPlain ? value
+                    : axes[a].name == "h" || axes[a].name == "smoothing_length"
+                        ? fmt::format("h = {} d_ref", value)
+                        : fmt::format("{} {}", axes[a].name, value));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace plenum::study
