@@ -23,12 +23,7 @@ Command addAccuracy(CLI::App& app);
 /// `plenum-study minimal`: the cheapest setting that meets an error.
 Command addMinimal(CLI::App& app);
 
-/// Subcommands of `plenum-study stability` that compute: transforms of kernels, modes of lattices,
-/// growth of those modes in the solver.
-std::vector<Command> addLatticeCommands(CLI::App& stability);
-
-/// Subcommands of `plenum-study stability` that run cases: maps of pairing, tension, time steps,
-/// collisions, interfaces.
-std::vector<Command> addMapCommands(CLI::App& stability);
+/// `plenum-study stability ...`: one command for each map.
+std::vector<Command> addStability(CLI::App& app);
 
 }  // namespace plenum::study

@@ -10,6 +10,11 @@ namespace plenum::study {
 namespace {
 
 constexpr const char* examples = R"(
+Examples:
+  plenum-study accuracy cases/hydrostatic_tank.toml --vary kernel=convex,wendland_c2 --vary h=1.5,2
+  plenum-study minimal cases/sod.toml --error 0.02
+  plenum-study stability pairing --kernels convex,wendland_c2_1d
+
 Exit code: 0 done, 1 the input is at fault, 2 failure. A run of a study that fails is a result.)";
 
 int main(int argc, char** argv) {
@@ -17,10 +22,7 @@ int main(int argc, char** argv) {
   app.footer(examples);
   app.set_version_flag("--version", fmt::format("plenum-study {}", version));
   std::vector<Command> commands{addAccuracy(app), addMinimal(app)};
-  CLI::App* stability = app.add_subcommand("stability", "where methods become unstable");
-  stability->require_subcommand(1);
-  for (const auto& add : {addLatticeCommands, addMapCommands})
-    for (Command& command : add(*stability)) commands.push_back(std::move(command));
+  for (Command& command : addStability(app)) commands.push_back(std::move(command));
   if (const auto code = parseCommandLine(app, argc, argv)) return *code;
   for (const Command& command : commands)
     if (command.app->parsed()) return command.run();

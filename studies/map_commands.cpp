@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "studies/commands.hpp"
-
-namespace plenum::study {
-
-std::vector<Command> addMapCommands(CLI::App&) { return {}; }
-
-}  // namespace plenum::study

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/atomic_file.hpp"
+#include "particles/command_line.hpp"
+#include "studies/commands.hpp"
+#include "studies/pairing_map.hpp"
+#include "studies/transforms.hpp"
+
+#include <iostream>
+#include <memory>
+#include <thread>
+
+namespace plenum::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int runTransforms(const StabilityOptions& options) {
+  const auto transforms = transformsOf(options.kernels);
+  std::cout << tableOf(transforms);
+  fs::create_directories(options.folder);
+  writeTextFile(options.folder / "transforms.csv", csvOf(transforms, options.smoothingLengths));
+  for (int dimension = 1; dimension <= 3; ++dimension)
+    writeChart(options.folder / fmt::format("transforms_{}d", dimension),
+               transformChart(transforms, dimension));
+  std::cout << fmt::format("written to {}\n", (options.folder / "transforms*").string());
+  return exitOk;
+}
+
+int runPairing(const StabilityOptions& options) {
+  if (!fs::exists(options.cases / "gas_box.toml"))
+    throw InputError(fmt::format("{}: no such case; name the folder of Plenum's cases with --cases",
+                                 (options.cases / "gas_box.toml").string()));
+  const PairingMap map = measurePairing(options);
+  std::cout << tableOf(map);
+  writeTextFile(options.folder / "pairing.csv", csvOf(map));
+  writeChart(options.folder / "pairing", heatMapOf(map));
+  std::cout << fmt::format("written to {}\n", (options.folder / "pairing.*").string());
+  return exitOk;
+}
+
+/// A subcommand with the options that all have.
+CLI::App* add(CLI::App& stability, StabilityOptions& options, const char* name, const char* what) {
+  CLI::App* command = stability.add_subcommand(name, what);
+  command->add_option("--kernels", options.kernels, "kernels, by their names in cases")
+      ->delimiter(',');
+  command->add_option("--smoothing-length", options.smoothingLengths, "h/d_ref")
+      ->delimiter(',')
+      ->check(CLI::Range(0.5, 10.0))
+      ->capture_default_str();
+  command->add_option("-o,--output", options.folder, "folder")->capture_default_str();
+  command->add_flag("-q,--quiet", options.quiet, "no progress");
+  return command;
+}
+
+}  // namespace
+
+std::vector<Command> addStability(CLI::App& app) {
+  CLI::App* stability = app.add_subcommand("stability", "where methods become unstable");
+  stability->require_subcommand(1);
+  stability->footer(R"(
+Examples:
+  plenum-study stability transforms
+  plenum-study stability pairing --kernels wendland_c2,convex --smoothing-length 1.5,2 --seeds 3)");
+  const auto transforms = std::make_shared<StabilityOptions>();
+  transforms->folder = "stability";
+  transforms->smoothingLengths = {1.2, 1.5, 2, 2.5, 3};
+  CLI::App* transformsCommand =
+      add(*stability, *transforms, "transforms",
+          "where the kernels' Fourier transforms are negative, in 1-D, 2-D and 3-D");
+
+  const auto pairing = std::make_shared<StabilityOptions>(*transforms);
+  pairing->kernels = KernelId::names();
+  pairing->cases = "cases";
+  pairing->jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  CLI::App* pairingCommand =
+      add(*stability, *pairing, "pairing", "which kernels pair, measured in the gas box of [C]");
+  pairingCommand->add_option("--seeds", pairing->seeds, "runs for each cell, of seeds 1, 2, ...")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  pairingCommand->add_option("--cases", pairing->cases, "folder of Plenum's cases")
+      ->capture_default_str();
+  pairingCommand->add_option("-j,--jobs", pairing->jobs, "runs at once")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  pairingCommand->add_option("--programs", pairing->programs,
+                             "folder of plenum-ic and plenum-sph [beside plenum-study]");
+  return {{transformsCommand, [transforms] { return runTransforms(*transforms); }},
+          {pairingCommand, [pairing] { return runPairing(*pairing); }}};
+}
+
+}  // namespace plenum::study
