@@ -14,4 +14,5 @@ mkdir -p "$folder"
   --set 'domain.upper=[0.24,1]' --set 'geometry.column.box.upper=[0.24,1]' \
   --within 1 --within 0.6 --compare kernel=convex,h=2 kernel=wendland_c2_1d,h=1.5
 "$study" stability transforms -o "$folder/stability"
+"$study" stability modes -o "$folder/stability"
 "$study" stability pairing --cases "$cases" -o "$folder/stability" --seeds 2

@@ -2,6 +2,7 @@
 #include "particles/atomic_file.hpp"
 #include "particles/command_line.hpp"
 #include "studies/commands.hpp"
+#include "studies/mode_map.hpp"
 #include "studies/pairing_map.hpp"
 #include "studies/transforms.hpp"
 
@@ -24,6 +25,18 @@ int runTransforms(const StabilityOptions& options) {
     writeChart(options.folder / fmt::format("transforms_{}d", dimension),
                transformChart(transforms, dimension));
   std::cout << fmt::format("written to {}\n", (options.folder / "transforms*").string());
+  return exitOk;
+}
+
+int runModes(const StabilityOptions& options) {
+  const ModeMap map = computeModes(options.lattice, options.backgroundPressure, options.kernels,
+                                   options.smoothingLengths);
+  std::cout << tableOf(map);
+  fs::create_directories(options.folder);
+  const fs::path file = options.folder / ("modes_" + options.lattice);
+  writeTextFile(file.string() + ".csv", csvOf(map));
+  writeChart(file, heatMapOf(map));
+  std::cout << fmt::format("written to {}.*\n", file.string());
   return exitOk;
 }
 
@@ -61,6 +74,7 @@ std::vector<Command> addStability(CLI::App& app) {
   stability->footer(R"(
 Examples:
   plenum-study stability transforms
+  plenum-study stability modes --lattice fcc --smoothing-length 1.2,1.5 --background-pressure 0.1
   plenum-study stability pairing --kernels wendland_c2,convex --smoothing-length 1.5,2 --seeds 3)");
   const auto transforms = std::make_shared<StabilityOptions>();
   transforms->folder = "stability";
@@ -68,6 +82,17 @@ Examples:
   CLI::App* transformsCommand =
       add(*stability, *transforms, "transforms",
           "where the kernels' Fourier transforms are negative, in 1-D, 2-D and 3-D");
+
+  const auto modes = std::make_shared<StabilityOptions>(*transforms);
+  modes->kernels = KernelId::names();
+  modes->smoothingLengths = {1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 2, 2.5, 3};
+  CLI::App* modesCommand =
+      add(*stability, *modes, "modes", "which waves grow on a perfect lattice, by linear theory");
+  modesCommand->add_option("--lattice", modes->lattice, "square, hexagonal, cubic, bcc, fcc or hcp")
+      ->check(CLI::IsMember({"square", "hexagonal", "cubic", "bcc", "fcc", "hcp"}))
+      ->capture_default_str();
+  modesCommand->add_option("--background-pressure", modes->backgroundPressure, "p0 [rho0 c^2]")
+      ->capture_default_str();
 
   const auto pairing = std::make_shared<StabilityOptions>(*transforms);
   pairing->kernels = KernelId::names();
@@ -86,6 +111,7 @@ Examples:
   pairingCommand->add_option("--programs", pairing->programs,
                              "folder of plenum-ic and plenum-sph [beside plenum-study]");
   return {{transformsCommand, [transforms] { return runTransforms(*transforms); }},
+          {modesCommand, [modes] { return runModes(*modes); }},
           {pairingCommand, [pairing] { return runPairing(*pairing); }}};
 }
 
