@@ -83,7 +83,8 @@ LatticeModes<Dim>::LatticeModes(const LatticeState& state) {
     for (const Vec<Dim>& point : around) {
       const Vec<Dim> R = sites_[s] - point;
       const double r = norm(R);
-      if (r < 1e-6 || r >= support) continue;
+      // Where a kernel ends with a jump of its slope, neighbours at the very end count for nothing.
+      if (r < 1e-6 || r > support * (1 - 1e-9)) continue;
       Vec<Dim> inCell = point;
       for (int a = 0; a < Dim; ++a)
         inCell[a] -= edges_[a] * std::floor(point[a] / edges_[a] + 1e-9);
