@@ -131,11 +131,11 @@ std::vector<double> LatticeModes<Dim>::omegaSquared(const Vec<Dim>& k) const {
 }
 
 template <int Dim>
-Mode<Dim> LatticeModes<Dim>::lowestAt(const Vec<Dim>& k) const {
+Mode<Dim> LatticeModes<Dim>::modeAt(const Vec<Dim>& k, std::size_t branch) const {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(matrixAt(k).D);
-  const Eigen::VectorXcd xi = solver.eigenvectors().col(0);
+  const Eigen::VectorXcd xi = solver.eigenvectors().col(static_cast<Eigen::Index>(branch));
   Mode<Dim> mode;
-  mode.omegaSquared = solver.eigenvalues()[0];
+  mode.omegaSquared = solver.eigenvalues()[static_cast<Eigen::Index>(branch)];
   // xi_s stands for xi_s exp(i k.r): waves of k and of k with a vector G of the cell's reciprocal
   // lattice are told apart by how xi goes from site to site.
   double largest = -1;
@@ -219,7 +219,7 @@ Mode<Dim> LatticeModes<Dim>::lowest(int n) const {
           if (norm(k) > 0.5 * kernel::pi / n / norm(edges_)) moved |= tryAt(k);
         }
     }
-  return lowestAt(best);
+  return modeAt(best);
 }
 
 template struct Mode<1>;

@@ -56,8 +56,9 @@ class LatticeModes {
   /// lattice; ascending.
   std::vector<double> omegaSquared(const Vec<Dim>& k) const;
 
-  /// The wave of the lowest omega^2 at `k`.
-  Mode<Dim> lowestAt(const Vec<Dim>& k) const;
+  /// A wave at `k`: branch 0 is that of the lowest omega^2.
+  Mode<Dim> modeAt(const Vec<Dim>& k, std::size_t branch = 0) const;
+  std::size_t nBranches() const { return Dim * sites_.size(); }
 
   /// The wave of the lowest omega^2 of all: on a grid of `n` wave vectors an axis, then by search
   /// around the lowest one. Shifts of the whole lattice (k = 0) are left out.

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ictools/lattice.hpp"
 #include "particles/atomic_file.hpp"
 #include "particles/command_line.hpp"
 #include "studies/commands.hpp"
+#include "studies/mode_growth.hpp"
 #include "studies/mode_map.hpp"
 #include "studies/pairing_map.hpp"
 #include "studies/transforms.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <thread>
@@ -37,6 +41,31 @@ int runModes(const StabilityOptions& options) {
   writeTextFile(file.string() + ".csv", csvOf(map));
   writeChart(file, heatMapOf(map));
   std::cout << fmt::format("written to {}.*\n", file.string());
+  return exitOk;
+}
+
+/// Boxes of eight cells in the plane, of four in space, or of more where the kernels reach further.
+template <int Dim>
+std::vector<MeasuredMode> measuredModes(const StabilityOptions& options, int nCells) {
+  std::vector<MeasuredMode> all;
+  for (const std::string& kernel : options.kernels)
+    for (const double h : options.smoothingLengths) {
+      const LatticeState state{options.lattice, KernelId::named(kernel), h,
+                               options.backgroundPressure};
+      const int cells = std::max(nCells, static_cast<int>(std::ceil(4 * h)) + 1);
+      for (const MeasuredMode& mode : measureExtremes<Dim>(state, cells)) all.push_back(mode);
+    }
+  return all;
+}
+
+int runGrowth(const StabilityOptions& options) {
+  const bool isPlane = std::ranges::count(latticeNames(2), options.lattice) > 0;
+  const auto modes = isPlane ? measuredModes<2>(options, 8) : measuredModes<3>(options, 4);
+  std::cout << tableOf(modes);
+  fs::create_directories(options.folder);
+  const fs::path file = options.folder / ("growth_" + options.lattice + ".csv");
+  writeTextFile(file, csvOf(modes));
+  std::cout << fmt::format("written to {}\n", file.string());
   return exitOk;
 }
 
@@ -88,11 +117,18 @@ Examples:
   modes->smoothingLengths = {1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 2, 2.5, 3};
   CLI::App* modesCommand =
       add(*stability, *modes, "modes", "which waves grow on a perfect lattice, by linear theory");
-  modesCommand->add_option("--lattice", modes->lattice, "square, hexagonal, cubic, bcc, fcc or hcp")
-      ->check(CLI::IsMember({"square", "hexagonal", "cubic", "bcc", "fcc", "hcp"}))
-      ->capture_default_str();
-  modesCommand->add_option("--background-pressure", modes->backgroundPressure, "p0 [rho0 c^2]")
-      ->capture_default_str();
+  const auto growth = std::make_shared<StabilityOptions>(*modes);
+  growth->kernels = {"cubic_spline", "quintic_spline", "wendland_c2", "wendland_c2_1d", "convex"};
+  growth->smoothingLengths = {1.3, 1.8};
+  CLI::App* growthCommand = add(*stability, *growth, "growth",
+                                "how the solver moves waves of a lattice, beside linear theory");
+  for (const auto& [command, options] : {std::pair{modesCommand, modes}, {growthCommand, growth}}) {
+    command->add_option("--lattice", options->lattice, "square, hexagonal, cubic, bcc, fcc or hcp")
+        ->check(CLI::IsMember({"square", "hexagonal", "cubic", "bcc", "fcc", "hcp"}))
+        ->capture_default_str();
+    command->add_option("--background-pressure", options->backgroundPressure, "p0 [rho0 c^2]")
+        ->capture_default_str();
+  }
 
   const auto pairing = std::make_shared<StabilityOptions>(*transforms);
   pairing->kernels = KernelId::names();
@@ -112,6 +148,7 @@ Examples:
                              "folder of plenum-ic and plenum-sph [beside plenum-study]");
   return {{transformsCommand, [transforms] { return runTransforms(*transforms); }},
           {modesCommand, [modes] { return runModes(*modes); }},
+          {growthCommand, [growth] { return runGrowth(*growth); }},
           {pairingCommand, [pairing] { return runPairing(*pairing); }}};
 }
 

@@ -55,7 +55,7 @@ void expectModeIsOfTheEquations(const LatticeState& state, int n, const std::arr
     k[a] = 2 * kernel::pi * waves[static_cast<std::size_t>(a)] / box[a];
     ASSERT_GE(box[a], 4 * state.smoothingLength);
   }
-  const Mode<Dim> mode = modes.lowestAt(k);
+  const Mode<Dim> mode = modes.modeAt(k);
   std::vector<Vec<Dim>> x, xi;
   const int nz = Dim > 2 ? n : 1;
   for (int i = 0; i < n; ++i)
@@ -123,7 +123,7 @@ TEST(LatticeModes, AreSoundWhereWavesAreLong) {
 
 TEST(LatticeModes, NameTheirWave) {
   // Sound along x of a square lattice, where transverse waves are the lower ones.
-  const Mode<2> mode = LatticeModes<2>(stateOf("square", "wendland_c2", 2)).lowestAt({0.5, 0});
+  const Mode<2> mode = LatticeModes<2>(stateOf("square", "wendland_c2", 2)).modeAt({0.5, 0});
   EXPECT_NEAR(mode.k[0], 0.5, 1e-12);
   EXPECT_NEAR(mode.longitudinal, 0, 1e-9);
   EXPECT_NEAR(mode.wavelength(), 4 * kernel::pi, 1e-9);
