@@ -23,7 +23,11 @@ Command addAccuracy(CLI::App& app);
 /// `plenum-study minimal`: the cheapest setting that meets an error.
 Command addMinimal(CLI::App& app);
 
-/// `plenum-study stability ...`: one command for each map.
-std::vector<Command> addStability(CLI::App& app);
+/// Subcommands of `plenum-study stability` that compute, or run the solver on one lattice:
+/// transforms of kernels, waves of lattices, their growth.
+std::vector<Command> addLatticeCommands(CLI::App& stability);
+
+/// Those that run cases: maps of pairing, tension, time steps, collisions, interfaces.
+std::vector<Command> addMapCommands(CLI::App& stability);
 
 }  // namespace plenum::study

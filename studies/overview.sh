@@ -15,4 +15,4 @@ mkdir -p "$folder"
   --within 1 --within 0.6 --compare kernel=convex,h=2 kernel=wendland_c2_1d,h=1.5
 "$study" stability transforms -o "$folder/stability"
 "$study" stability modes -o "$folder/stability"
-"$study" stability pairing --cases "$cases" -o "$folder/stability" --seeds 2
+"$study" stability pairing -o "$folder/stability" --seeds 2

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a map leaves: NAME.csv with a row for every run, a chart for every figure, a text on stdout.
+#pragma once
+
+#include "studies/chart.hpp"
+#include "studies/maps/map_options.hpp"
+
+#include <string>
+#include <vector>
+
+namespace plenum::study {
+
+struct MapChart {
+  std::string name;  ///< of its files, without an ending
+  HeatMap map;
+};
+
+struct Map {
+  std::string name;                            ///< of its table
+  std::vector<std::string> columns;            ///< of the table
+  std::vector<std::vector<std::string>> rows;  ///< of the table: one for each run
+  std::vector<MapChart> charts;
+  std::vector<std::string> remarks;  ///< what the map says, in sentences
+};
+
+/// A heat map as text: its title, then rows with the cells' texts (or values).
+std::string textOf(const HeatMap& map);
+
+/// A cell of CSV: in quotes where it must be (RFC 4180).
+std::string csvCell(const std::string& text);
+
+/// Writes the files into the folder and prints the charts as text (unless quiet) and the remarks.
+/// Throws RunError if a file cannot be written.
+void publish(const Map& map, const MapOptions& options);
+
+}  // namespace plenum::study

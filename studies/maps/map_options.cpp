@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/maps/map_options.hpp"
+
+#include "particles/errors.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace plenum::study {
+
+namespace {
+
+template <class Value>
+void requireOnceEach(const std::string& option, const std::vector<Value>& values) {
+  if (values.empty())
+    throw InputError(fmt::format("{}: no value is given; leave it out for the default", option));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (std::find(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k), values[k]) !=
+        values.begin() + static_cast<std::ptrdiff_t>(k))
+      throw InputError(
+          fmt::format("{}: {} is there twice; name each value once", option, values[k]));
+}
+
+}  // namespace
+
+void requireNumbers(const std::string& option, const std::vector<double>& values, double lowest,
+                    double highest) {
+  requireOnceEach(option, values);
+  for (const double value : values)
+    if (!(value >= lowest && value <= highest))
+      throw InputError(fmt::format("{}: {:g} is not in [{:g}, {:g}]; give values in that range",
+                                   option, value, lowest, highest));
+}
+
+void requireWords(const std::string& option, const std::vector<std::string>& values,
+                  const std::vector<std::string>& known) {
+  requireOnceEach(option, values);
+  for (const std::string& value : values) {
+    if (std::ranges::count(known, value) > 0) continue;
+    const std::string near = nearest(value, known);
+    throw InputError(fmt::format("{}: '{}' is not known{}; known are {}", option, value,
+                                 near.empty() ? "" : ", is '" + near + "' meant?",
+                                 fmt::join(known, ", ")));
+  }
+}
+
+int seedsOf(const std::optional<int>& asked, const MapOptions& options, int whole, int quick) {
+  const int seeds = asked.value_or(options.quick ? quick : whole);
+  requireNumbers("--seeds", {static_cast<double>(seeds)}, 1, 1000);
+  return seeds;
+}
+
+}  // namespace plenum::study
