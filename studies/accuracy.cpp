@@ -38,7 +38,12 @@ Study runAccuracy(const AccuracyOptions& options) {
   const std::vector<Combination> grid =
       gridOf(study.axes, {options.caseFile, options.settings, 1, options.quick});
   std::vector<RunRequest> requests;
-  for (const Combination& point : grid) requests.push_back(point.request);
+  // Rounds of all runs, so that a busy minute of the machine does not meet one setting's only.
+  for (int repeat = 0; repeat < options.repeats; ++repeat)
+    for (const Combination& point : grid) {
+      requests.push_back(point.request);
+      requests.back().repeat = repeat;
+    }
   RunStore store(options.folder / "runs", Programs::find(options.programs), options.quiet);
   const std::vector<RunOutcome> outcomes = store.run(requests, options.jobs, "accuracy");
   for (std::size_t k = 0; k < grid.size(); ++k)

@@ -69,6 +69,11 @@ An interrupted study goes on where it stopped: begin it again with the same fold
       ->add_option("-j,--jobs", options.jobs,
                    "runs at once; with more than one on a busy machine, times mean less")
       ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--repeats", options.repeats,
+                   "of each run; the least CPU time counts, which a busy machine disturbs least")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
   command->add_option("--programs", options.programs,
                       "folder of plenum-ic and plenum-sph [beside plenum-study]");
   command->add_flag("-q,--quiet", options.quiet, "print advice only");

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstring>
 #include <mutex>
@@ -90,6 +91,7 @@ fs::path RunStore::folderOf(const RunRequest& request) const {
   key.add(root.printedFile(""));
   addFilesOf(root, request.caseFile.parent_path(), key);
   key.add(std::to_string(request.threads));
+  if (request.repeat > 0) key.add(fmt::format("again {}", request.repeat));
   key.add(programs_.fingerprint);
   return folder_ / key.text();
 }
@@ -173,6 +175,14 @@ std::vector<RunOutcome> RunStore::run(const std::vector<RunRequest>& requests, i
   for (std::size_t k = 0; k < requests.size(); ++k)
     all.push_back(outcomes[k] ? *outcomes[k] : keptOutcome(folders[k]).value());
   return all;
+}
+
+RunOutcome RunStore::leastOf(RunRequest request, int nTimes, const std::string& label) {
+  std::vector<RunRequest> requests;
+  for (request.repeat = 0; request.repeat < nTimes; ++request.repeat) requests.push_back(request);
+  const std::vector<RunOutcome> outcomes = run(requests, 1, label);
+  return *std::ranges::min_element(
+      outcomes, {}, [](const RunOutcome& outcome) { return outcome.cost.stepCpuSeconds; });
 }
 
 }  // namespace plenum::study

@@ -18,6 +18,7 @@ struct RunRequest {
   std::vector<std::string> settings;  ///< "key=value", instead of the case's
   int threads = 1;
   bool quick = false;  ///< with the values of the case's table [quick]
+  int repeat = 0;      ///< the same run again, for its time: 1, 2, ...
 };
 
 class RunStore {
@@ -31,6 +32,10 @@ class RunStore {
   /// InputError, before anything runs, if settings do not exist or cannot be combined.
   std::vector<RunOutcome> run(const std::vector<RunRequest>& requests, int jobs,
                               const std::string& label);
+
+  /// One request, `nTimes` times, one after the other: the outcome of the run that took the least
+  /// CPU time. Other programs can only make it take longer.
+  RunOutcome leastOf(RunRequest request, int nTimes, const std::string& label);
 
   /// Throws InputError that lists every request whose case plenum-ic would refuse.
   static void requireUsable(const std::vector<RunRequest>& requests);

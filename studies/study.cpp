@@ -76,7 +76,9 @@ std::vector<CostAndError> Study::pointsOf(const std::vector<std::size_t>& which)
 std::vector<std::size_t> Study::front() const {
   const std::vector<std::size_t> measured = measuredRows();
   std::vector<std::size_t> places;
-  for (const std::size_t k : paretoFront(pointsOf(measured))) places.push_back(measured[k]);
+  for (const std::size_t k : paretoFront(pointsOf(measured)))
+    if (places.empty() || *rows[measured[k]].error < 0.99 * *rows[places.back()].error)
+      places.push_back(measured[k]);
   return places;
 }
 
