@@ -16,8 +16,10 @@ namespace plenum::study {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-/// Courant numbers c dt/h between which is searched.
-constexpr double lowest = 0.05, highest = 3.2;
+/// Courant numbers c dt/h between which is searched. plenum-sph refuses steps above 2 h/c.
+constexpr double lowest = 0.03, highest = 2;
+/// Above it h^2/nu, the solver's other limit, is the smaller one: nu = alpha c h/8.
+constexpr double highestAlpha = 4;
 
 /// A case, and what is too fast in it. Where a step is too large speeds grow by a factor a step, to
 /// the speed of sound and beyond, so limits need not be sharp.
@@ -122,7 +124,7 @@ bool searchOnce(std::vector<Cell>& cells, RunStore& store, const MapOptions& opt
 
 std::string limitText(const Bisection& search) {
   if (!search.good()) return fmt::format("< {:g}", lowest);
-  if (!search.bad()) return fmt::format("> {:.3g}", *search.good());
+  if (!search.bad()) return fmt::format("{:.2f}, all", *search.good());
   return fmt::format("{:.2f}-{:.2f}", *search.good(), *search.bad());
 }
 
@@ -157,7 +159,7 @@ std::vector<std::string> timeStepScenes() {
 
 void runTimeStep(const TimeStepOptions& options) {
   requireWords("--scenes", options.scenes, timeStepScenes());
-  requireNumbers("--alpha", options.alphas, 0, 10);
+  requireNumbers("--alpha", options.alphas, 0, highestAlpha);
   std::vector<Cell> cells = cellsOf(options);
   RunStore store(options.common.folder / "runs", Programs::find(options.common.programs),
                  options.common.quiet);
@@ -175,6 +177,8 @@ void runTimeStep(const TimeStepOptions& options) {
     map.remarks.push_back(fmt::format("{}: wrong is a particle above {:g} c within {:g} s; {}",
                                       name, scene->speedLimit, scene->endTime, scene->why));
   }
+  map.remarks.push_back(fmt::format(
+      "all: every step up to {:g} h/c went well, above which plenum-sph refuses steps", highest));
   publish(map, options.common);
 }
 
