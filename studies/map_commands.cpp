@@ -49,10 +49,9 @@ Command addMap(CLI::App& stability, const char* name, const char* help, const ch
 template <class Value>
 CLI::Option* addList(CLI::App& command, const char* name, std::vector<Value>& values,
                      const char* help) {
-  return command.add_option(name, values, help)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
+  CLI::Option* option =
+      command.add_option(name, values, help)->delimiter(',')->allow_extra_args(false);
+  return values.empty() ? option : option->capture_default_str();
 }
 
 Command addPairing(CLI::App& stability) {

@@ -18,8 +18,6 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// Courant numbers c dt/h between which is searched. plenum-sph refuses steps above 2 h/c.
 constexpr double lowest = 0.03, highest = 2;
-/// Above it h^2/nu, the solver's other limit, is the smaller one: nu = alpha c h/8.
-constexpr double highestAlpha = 4;
 
 /// A case, and what is too fast in it. Where a step is too large speeds grow by a factor a step, to
 /// the speed of sound and beyond, so limits need not be sharp.
@@ -159,7 +157,7 @@ std::vector<std::string> timeStepScenes() {
 
 void runTimeStep(const TimeStepOptions& options) {
   requireWords("--scenes", options.scenes, timeStepScenes());
-  requireNumbers("--alpha", options.alphas, 0, highestAlpha);
+  requireNumbers("--alpha", options.alphas, 0, 10);
   std::vector<Cell> cells = cellsOf(options);
   RunStore store(options.common.folder / "runs", Programs::find(options.common.programs),
                  options.common.quiet);
