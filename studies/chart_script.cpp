@@ -104,7 +104,7 @@ std::vector<std::string> plotsOf(std::size_t s, std::size_t colour, const Series
                     s));
   if (series.isNumbered)
     plots.push_back(
-        fmt::format("$series{} using 1:2:3 with labels noenhanced left offset .7,.7 "
+        fmt::format("$series{} using 1:2:(sprintf('%d', $0 + 1)) with labels left offset .6,.6 "
                     "font ',9' textcolor rgb '#444444' notitle",
                     s));
   return plots;

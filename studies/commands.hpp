@@ -23,12 +23,11 @@ Command addAccuracy(CLI::App& app);
 /// `plenum-study minimal`: the cheapest setting that meets an error.
 Command addMinimal(CLI::App& app);
 
-/// Subcommands of `plenum-study stability` that compute: transforms of kernels, modes of lattices,
-/// growth of those modes in the solver.
+/// Subcommands of `plenum-study stability` that compute, or run the solver on one lattice:
+/// transforms of kernels, waves of lattices, their growth.
 std::vector<Command> addLatticeCommands(CLI::App& stability);
 
-/// Subcommands of `plenum-study stability` that run cases: maps of pairing, tension, time steps,
-/// collisions, interfaces.
+/// Those that run cases: maps of pairing, tension, time steps, collisions, interfaces.
 std::vector<Command> addMapCommands(CLI::App& stability);
 
 }  // namespace plenum::study

@@ -10,7 +10,19 @@ namespace plenum::study {
 namespace {
 
 constexpr const char* examples = R"(
+Examples:
+  plenum-study accuracy cases/hydrostatic_tank.toml --vary kernel=convex,wendland_c2 --vary h=1.5,2
+  plenum-study minimal cases/sod.toml --error 0.02
+  plenum-study stability pairing --kernels convex,wendland_c2_1d
+
 Exit code: 0 done, 1 the input is at fault, 2 failure. A run of a study that fails is a result.)";
+
+constexpr const char* stabilityExamples = R"(
+Examples, from theory to measurement:
+  plenum-study stability transforms
+  plenum-study stability modes --lattice fcc --smoothing-length 1.2,1.5 --background-pressure 0.1
+  plenum-study stability growth --kernels convex
+  plenum-study stability pairing --start noise --kernels cubic_spline,wendland_c2)";
 
 int main(int argc, char** argv) {
   CLI::App app{"plenum-study: charts speed against accuracy, and where methods fail"};
@@ -19,6 +31,7 @@ int main(int argc, char** argv) {
   std::vector<Command> commands{addAccuracy(app), addMinimal(app)};
   CLI::App* stability = app.add_subcommand("stability", "where methods become unstable");
   stability->require_subcommand(1);
+  stability->footer(stabilityExamples);
   for (const auto& add : {addLatticeCommands, addMapCommands})
     for (Command& command : add(*stability)) commands.push_back(std::move(command));
   if (const auto code = parseCommandLine(app, argc, argv)) return *code;

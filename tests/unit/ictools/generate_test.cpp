@@ -78,7 +78,12 @@ TEST(Generate, TheFileHoldsTheCaseAsItWasUsed) {
   root.set("solver.smoothing_length", "1.2");
   root.set("title", "with \"quotes\"");
   const CaseNode again = CaseNode::parse(textOf(), "again");
-  EXPECT_EQ(again.printed(), root.printed());
+  // Values that are no tables stand in front of those that are.
+  ASSERT_EQ(again.asTable().size(), root.asTable().size());
+  for (const auto& [key, node] : root.asTable()) {
+    ASSERT_NE(again.find(key), nullptr) << key;
+    EXPECT_EQ(again.find(key)->printed(), node.printed());
+  }
 }
 
 TEST(Generate, SurvivesTheParticleFile) {

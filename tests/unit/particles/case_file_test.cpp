@@ -91,6 +91,29 @@ TEST(CaseNode, SetOnTheCommandLine) {
   EXPECT_TRUE(root.find("new")->find("deep")->find("key")->asBool());
 }
 
+TEST(CaseNode, TakesKeysAndEntriesOfListsOut) {
+  CaseNode root =
+      CaseNode::parse("a = 1\n[b]\nc = { d = 2, e = 3 }\n[[f]]\ng = 4\n[[f]]\ng = 5\n", "x");
+  for (const char* missing : {"z", "a.z", "b.z.d", "f[2]", "a[0]"}) root.remove(missing);
+  root.remove("b.c.d");
+  root.remove("f[0]");
+  root.remove("a");
+  EXPECT_EQ(root.printed(), "{ b = { c = { e = 3 } }, f = [{ g = 5 }] }");
+}
+
+/// Also keys that need quotation marks, and lists of tables between other things.
+TEST(CaseNode, IsTheSameFromWhatItPrints) {
+  const CaseNode root =
+      CaseNode::parse("[t]\n\"a.b\" = 1.5\nlist = [1, 2]\n[[l]]\nx = \"q\\\"\"\n[[l]]\n[u]\n", "x");
+  CaseNode changed = root;
+  changed.set("late", "true");  // stands behind tables, but not in one of them
+  const CaseNode again = CaseNode::parse(changed.printedFile("comment"), "y");
+  EXPECT_TRUE(again.find("late")->asBool());
+  EXPECT_EQ(again.find("t")->printed(), root.find("t")->printed());
+  EXPECT_EQ(again.find("l")->printed(), root.find("l")->printed());
+  EXPECT_TRUE(again.find("u")->isTable());
+}
+
 TEST(CaseNode, ErrorsOfSetNameTheOption) {
   CaseNode root = CaseNode::parse(minimal, "f.toml");
   root.set("spacing", "-1");
