@@ -47,12 +47,13 @@ Command addMap(CLI::App& stability, const char* name, const char* help, const ch
 
 /// Values behind one option, with commas between.
 template <class Value>
-CLI::Option* addList(CLI::App& command, const char* name, std::vector<Value>& values,
-                     const char* help) {
-  return command.add_option(name, values, help)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
+void addList(CLI::App& command, const std::string& name, std::vector<Value>& values,
+             const char* help) {
+  command
+      .add_option_function<std::string>(
+          name, [name, &values](const std::string& text) { readList(name, text, values); }, help)
+      ->type_name("LIST")
+      ->default_str(fmt::format("{}", fmt::join(values, ",")));
 }
 
 Command addPairing(CLI::App& stability) {

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace plenum::study {
 
@@ -24,6 +25,39 @@ void requireOnceEach(const std::string& option, const std::vector<Value>& values
 }
 
 }  // namespace
+
+void readList(const std::string& option, const std::string& text,
+              std::vector<std::string>& values) {
+  values.clear();
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    if (comma == from)
+      throw InputError(fmt::format(
+          "{}: a value is missing in '{}'; give a list with commas between, or leave it out",
+          option, text));
+    values.push_back(text.substr(from, comma - from));
+    from = comma + 1;
+  }
+}
+
+void readList(const std::string& option, const std::string& text, std::vector<double>& values) {
+  std::vector<std::string> words;
+  readList(option, text, words);
+  values.clear();
+  for (const std::string& word : words) {
+    std::size_t used = 0;
+    double value = 0;
+    try {
+      value = std::stod(word, &used);
+    } catch (const std::logic_error&) {  // no number, or none that a double can be
+      used = 0;
+    }
+    if (used == 0 || used != word.size())
+      throw InputError(
+          fmt::format("{}: '{}' is no number; give numbers with commas between", option, word));
+    values.push_back(value);
+  }
+}
 
 void requireNumbers(const std::string& option, const std::vector<double>& values, double lowest,
                     double highest) {

@@ -16,8 +16,8 @@ namespace plenum::study {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-/// Courant numbers c dt/h between which is searched.
-constexpr double lowest = 0.05, highest = 3.2;
+/// Courant numbers c dt/h between which is searched. plenum-sph refuses steps above 2 h/c.
+constexpr double lowest = 0.03, highest = 2;
 
 /// A case, and what is too fast in it. Where a step is too large speeds grow by a factor a step, to
 /// the speed of sound and beyond, so limits need not be sharp.
@@ -122,7 +122,7 @@ bool searchOnce(std::vector<Cell>& cells, RunStore& store, const MapOptions& opt
 
 std::string limitText(const Bisection& search) {
   if (!search.good()) return fmt::format("< {:g}", lowest);
-  if (!search.bad()) return fmt::format("> {:.3g}", *search.good());
+  if (!search.bad()) return fmt::format("{:.2f}, all", *search.good());
   return fmt::format("{:.2f}-{:.2f}", *search.good(), *search.bad());
 }
 
@@ -175,6 +175,8 @@ void runTimeStep(const TimeStepOptions& options) {
     map.remarks.push_back(fmt::format("{}: wrong is a particle above {:g} c within {:g} s; {}",
                                       name, scene->speedLimit, scene->endTime, scene->why));
   }
+  map.remarks.push_back(fmt::format(
+      "all: every step up to {:g} h/c went well, above which plenum-sph refuses steps", highest));
   publish(map, options.common);
 }
 
