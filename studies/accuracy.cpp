@@ -18,21 +18,23 @@ CaseSettings readBase(const AccuracyOptions& options) {
   return readCase(root);
 }
 
-std::string unitOf(const ErrorMeasure& measure, const std::vector<StudyRow>& rows) {
-  if (measure.scale) return "";
-  for (const StudyRow& row : rows)
-    if (measure.entry < row.outcome.validation.size())
-      return row.outcome.validation[measure.entry].unit;
-  return "";
-}
-
 }  // namespace
+
+ErrorMeasure measureFor(const AccuracyOptions& options, const CaseSettings& settings,
+                        RunStore& store) {
+  if (!options.isAgainstCase) return errorMeasureNamed(settings, options.quantity);
+  ErrorMeasure measure = measureAgainstCase(settings, options.quantity);
+  takeReference(
+      measure,
+      store.run({{options.caseFile, options.settings, 1, options.quick, 0}}, 1, "the case itself")
+          .front());
+  return measure;
+}
 
 Study runAccuracy(const AccuracyOptions& options) {
   Study study;
   study.caseFile = options.caseFile;
   study.settings = readBase(options);
-  study.measure = errorMeasureNamed(study.settings, options.quantity);
   for (const std::string& text : options.vary)
     study.axes.push_back(Variation::parse(text, options.caseFile));
   const std::vector<Combination> grid =
@@ -44,12 +46,14 @@ Study runAccuracy(const AccuracyOptions& options) {
       requests.push_back(point.request);
       requests.back().repeat = repeat;
     }
+  RunStore::requireUsable(requests);
   RunStore store(options.folder / "runs", Programs::find(options.programs), options.quiet);
+  study.measure = measureFor(options, study.settings, store);
   const std::vector<RunOutcome> outcomes = store.run(requests, options.jobs, "accuracy");
   for (std::size_t k = 0; k < grid.size(); ++k)
     study.rows.push_back(
         {grid[k].at, describe(study.axes, grid[k].at), outcomes[k], study.measure.of(outcomes[k])});
-  study.unit = unitOf(study.measure, study.rows);
+  study.unit = unitOf(study);
   return study;
 }
 

@@ -17,8 +17,9 @@ struct AccuracyOptions {
   std::vector<std::string> vary;      ///< as Variation::parse reads them
   std::vector<std::string> settings;  ///< "key=value" of all runs
   bool quick = false;
-  std::string quantity;                                          ///< "": the case's first
-  std::vector<double> within;                                    ///< errors to advise on
+  std::string quantity;        ///< "": the case's first
+  bool isAgainstCase = false;  ///< errors are relative differences from the case's own run
+  std::vector<double> within;  ///< errors to advise on
   std::vector<std::pair<std::string, std::string>> comparisons;  ///< of settings at equal error
   std::filesystem::path folder;
   std::filesystem::path programs;
@@ -26,6 +27,10 @@ struct AccuracyOptions {
   int repeats = 1;  ///< of each run; the least CPU time counts
   bool quiet = false;
 };
+
+/// The error that is asked for; runs the case itself where that says what is right.
+ErrorMeasure measureFor(const AccuracyOptions& options, const CaseSettings& settings,
+                        RunStore& store);
 
 /// Runs what is not there yet. Throws InputError, before anything runs, for settings that cannot be
 /// used and quantities that cannot be validated.

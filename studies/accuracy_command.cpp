@@ -64,6 +64,9 @@ An interrupted study goes on where it stopped: begin it again with the same fold
                    "two settings to compare at equal error: kernel=convex,h=2 "
                    "kernel=wendland_c2,h=1.5")
       ->expected(2);
+  command->add_flag("--against-case", options.isAgainstCase,
+                    "errors are relative differences from a run of the case itself, for "
+                    "quantities of [[validate]] that expect no value");
   command->add_option("-o,--output", options.folder, "folder [CASE's name + _accuracy]");
   command
       ->add_option("-j,--jobs", options.jobs,

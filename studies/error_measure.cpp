@@ -30,8 +30,9 @@ std::string ErrorMeasure::name() const {
 std::optional<double> ErrorMeasure::of(const RunOutcome& outcome) const {
   if (outcome.hasFailed() || entry >= outcome.validation.size()) return std::nullopt;
   const Validated& found = outcome.validation[entry];
-  if (!found.measured || (isDifference && !found.expected)) return std::nullopt;
-  const double error = std::abs(isDifference ? *found.measured - *found.expected : *found.measured);
+  const std::optional<double> expected = reference ? reference : found.expected;
+  if (!found.measured || (isDifference && !expected)) return std::nullopt;
+  const double error = std::abs(isDifference ? *found.measured - *expected : *found.measured);
   return scale ? error / *scale : error;
 }
 
@@ -39,7 +40,7 @@ std::vector<ErrorMeasure> errorMeasuresOf(const CaseSettings& settings) {
   std::vector<ErrorMeasure> measures;
   for (std::size_t k = 0; k < settings.validations.size(); ++k) {
     const ValidateSettings& asked = settings.validations[k];
-    ErrorMeasure measure{k, asked.quantity, asked.statisticOrDefault(), false, {}};
+    ErrorMeasure measure{k, asked.quantity, asked.statisticOrDefault(), false, {}, {}};
     if (!isErrorByName(asked.quantity, measure.statistic) && !asked.curve) {
       if (!asked.expected) continue;
       measure.isDifference = true;
@@ -51,13 +52,11 @@ std::vector<ErrorMeasure> errorMeasuresOf(const CaseSettings& settings) {
   return measures;
 }
 
-ErrorMeasure errorMeasureNamed(const CaseSettings& settings, const std::string& asked) {
-  const std::vector<ErrorMeasure> measures = errorMeasuresOf(settings);
-  if (measures.empty())
-    throw InputError(
-        fmt::format("the case \"{}\" has no [[validate]] entry that is an error or has "
-                    "an expected value: nothing to hold accuracy to; add one",
-                    settings.title));
+namespace {
+
+/// The first of `measures` that is asked for, or the first.
+ErrorMeasure namedAmong(const std::vector<ErrorMeasure>& measures, const CaseSettings& settings,
+                        const std::string& asked) {
   if (asked.empty()) return measures.front();
   const std::size_t colon = asked.find(':');
   for (const ErrorMeasure& measure : measures)
@@ -70,6 +69,51 @@ ErrorMeasure errorMeasureNamed(const CaseSettings& settings, const std::string& 
                                               : measure.quantity + ":" + measure.statistic);
   throw InputError(fmt::format("--quantity {}: the case \"{}\" cannot be held to it; it has {}",
                                asked, settings.title, fmt::join(known, ", ")));
+}
+
+}  // namespace
+
+ErrorMeasure errorMeasureNamed(const CaseSettings& settings, const std::string& asked) {
+  const std::vector<ErrorMeasure> measures = errorMeasuresOf(settings);
+  if (measures.empty())
+    throw InputError(fmt::format(
+        "the case \"{}\" has no [[validate]] entry that is an error or has an expected value: "
+        "nothing to hold accuracy to; add one, or take a run of the case for right with "
+        "--against-case",
+        settings.title));
+  return namedAmong(measures, settings, asked);
+}
+
+ErrorMeasure measureAgainstCase(const CaseSettings& settings, const std::string& asked) {
+  std::vector<ErrorMeasure> measures;
+  for (std::size_t k = 0; k < settings.validations.size(); ++k)
+    if (!settings.validations[k].curve)
+      measures.push_back({k,
+                          settings.validations[k].quantity,
+                          settings.validations[k].statisticOrDefault(),
+                          true,
+                          {},
+                          {}});
+  if (measures.empty())
+    throw InputError(
+        fmt::format("the case \"{}\" has no [[validate]] entry with one value to "
+                    "compare runs by; add one",
+                    settings.title));
+  return namedAmong(measures, settings, asked);
+}
+
+void takeReference(ErrorMeasure& measure, const RunOutcome& outcome) {
+  if (outcome.hasFailed())
+    throw RunError(fmt::format("the case itself failed, so nothing can be compared with it: {}",
+                               outcome.failure));
+  if (measure.entry >= outcome.validation.size() || !outcome.validation[measure.entry].measured ||
+      *outcome.validation[measure.entry].measured == 0)
+    throw RunError(
+        fmt::format("the case itself has no value of {}, or zero, so nothing can be "
+                    "compared with it",
+                    measure.name()));
+  measure.reference = outcome.validation[measure.entry].measured;
+  measure.scale = std::abs(*measure.reference);
 }
 
 }  // namespace plenum::study

@@ -17,7 +17,8 @@ struct ErrorMeasure {
   std::string statistic;  ///< "mean_abs"; of a curve empty
   /// Errors are |measured - expected|; else the measure is an error by itself and its size counts.
   bool isDifference = false;
-  std::optional<double> scale;  ///< |expected|, where errors are relative to it
+  std::optional<double> scale;      ///< |expected|, where errors are relative to it
+  std::optional<double> reference;  ///< what is expected, where a run of the case says that
 
   /// "pressure_gradient_error (mean_abs)"
   std::string name() const;
@@ -25,6 +26,14 @@ struct ErrorMeasure {
   /// None for a run that failed, or that has no value there.
   std::optional<double> of(const RunOutcome& outcome) const;
 };
+
+/// A measure of how far runs are, relatively, from one that is taken for right: an entry of
+/// [[validate]] that need not expect anything itself, but has one value. Throws InputError as
+/// errorMeasureNamed does.
+ErrorMeasure measureAgainstCase(const CaseSettings& settings, const std::string& asked);
+
+/// That run. Throws RunError if it failed or has no value other than zero.
+void takeReference(ErrorMeasure& measure, const RunOutcome& outcome);
 
 /// One for each entry of a case that can be taken as an error: a quantity that is an error, a norm
 /// or a drift, a curve, or one with an expected value; none for mere bounds.

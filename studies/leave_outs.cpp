@@ -47,6 +47,15 @@ void removeMeasuresOf(const std::string& fluid, CaseNode& root) {
   for (const std::string& key : keys) root.remove(key);
 }
 
+/// A single fluid has no field that tells fluids apart, for pictures.
+void removePictureOfMaterials(CaseNode& root) {
+  const CaseNode *output = root.find("output"), *fluids = root.find("fluid");
+  if (output == nullptr || fluids->asArray().size() > 1) return;
+  const CaseNode* picture = output->find("picture");
+  if (picture != nullptr && picture->isString() && picture->asString() == "material")
+    root.remove("output.picture");
+}
+
 }  // namespace
 
 std::vector<LeaveOut> leaveOutsOf(const CaseNode& root) {
@@ -59,6 +68,7 @@ std::vector<LeaveOut> leaveOutsOf(const CaseNode& root) {
     LeaveOut without{"the fluid " + name, root};
     without.root.remove(fmt::format("fluid[{}]", k));
     removeMeasuresOf(name, without.root);
+    removePictureOfMaterials(without.root);
     all.push_back(std::move(without));
   }
   const CaseNode* solver = root.find("solver");

@@ -103,7 +103,9 @@ class Simplifier {
   TriedWithout tryOne(const LeaveOut& without, const Minimal& minimal) {
     TriedWithout tried{without.what, false, {}, 0, ""};
     try {
-      const ErrorMeasure measure = errorMeasureNamed(readCase(without.root), options_.quantity);
+      // Expectations stay as they are: what is left out takes measures away, no [[validate]].
+      const ErrorMeasure& measure = minimal.tried.measure;
+      readCase(without.root);  // refuses what cannot be
       const auto file = options_.folder / "less.toml";
       writeTextFile(file, without.root.printedFile(options_.caseFile.filename().string() +
                                                    " without " + without.what));
@@ -152,7 +154,6 @@ Minimal findMinimal(const AccuracyOptions& options, double error) {
   const RunRequest base{options.caseFile, options.settings, 1, options.quick};
   study.caseFile = options.caseFile;
   study.settings = readCase(rootOf(base));
-  study.measure = errorMeasureNamed(study.settings, options.quantity);
   for (const std::string& text : options.vary.empty() ? defaultAxes(study.settings) : options.vary)
     study.axes.push_back(Variation::parse(text, options.caseFile));
   const std::vector<Combination> grid = gridOf(study.axes, base);
@@ -161,15 +162,14 @@ Minimal findMinimal(const AccuracyOptions& options, double error) {
   for (const Combination& point : grid) requests.push_back(point.request);
   RunStore::requireUsable(requests);
   RunStore store(options.folder / "runs", Programs::find(options.programs), true);
+  study.measure = measureFor(options, study.settings, store);
 
   const auto run = [&](std::size_t k) -> std::optional<CostAndError> {
     const std::string name = describe(study.axes, grid[k].at);
     const RunOutcome outcome = store.run({grid[k].request}, 1, name).front();
     study.rows.push_back({grid[k].at, name, outcome, study.measure.of(outcome)});
     const StudyRow& row = study.rows.back();
-    if (study.unit.empty() && !study.measure.scale &&
-        study.measure.entry < outcome.validation.size())
-      study.unit = outcome.validation[study.measure.entry].unit;
+    study.unit = unitOf(study);
     minimal.searchCost += row.cost();
     if (!options.quiet)
       std::cerr << fmt::format(

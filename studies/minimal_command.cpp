@@ -65,6 +65,9 @@ Settings are tried by rising cost; an interrupted search goes on where it stoppe
   command->add_flag("--quick", options.quick, "with the values of the case's table [quick]");
   command->add_option("--quantity", options.quantity,
                       "QUANTITY[:STATISTIC] of [[validate]] that is the error; absent: the first");
+  command->add_flag("--against-case", options.isAgainstCase,
+                    "errors are relative differences from a run of the case itself, for "
+                    "quantities of [[validate]] that expect no value");
   command->add_option("-o,--output", options.folder, "folder [CASE's name + _minimal]");
   command->add_option("--programs", options.programs,
                       "folder of plenum-ic and plenum-sph [beside plenum-study]");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/study.hpp"
 
+#include "studies/csv.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,23 +12,17 @@ namespace plenum::study {
 
 namespace {
 
-/// A cell of a file of comma separated values.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
+std::string numberCell(std::optional<double> value) {
+  return value ? fmt::format("{}", *value) : "";
 }
-
-std::string cell(std::optional<double> value) { return value ? fmt::format("{}", *value) : ""; }
 
 std::vector<std::string> headerOf(const Study& study) {
   std::vector<std::string> names;
-  for (const Variation& axis : study.axes) names.push_back(cell(axis.name));
-  names.push_back(cell(fmt::format("error of {} [{}]", study.measure.name(), study.unit)));
+  for (const Variation& axis : study.axes) names.push_back(csvCell(axis.name));
+  names.push_back(csvCell(fmt::format("error of {} [{}]", study.measure.name(), study.unit)));
   for (const ValidateSettings& asked : study.settings.validations) {
     const std::string statistic = asked.statisticOrDefault();
-    names.push_back(cell(statistic.empty() ? asked.quantity : asked.quantity + ":" + statistic));
+    names.push_back(csvCell(statistic.empty() ? asked.quantity : asked.quantity + ":" + statistic));
   }
   for (const char* name :
        {"cpu in steps [s]", "cpu [s]", "wall clock [s]", "instructions", "peak memory [bytes]",
@@ -39,22 +35,22 @@ std::vector<std::string> headerOf(const Study& study) {
 std::vector<std::string> cellsOf(const Study& study, const StudyRow& row) {
   std::vector<std::string> cells;
   for (std::size_t a = 0; a < study.axes.size(); ++a)
-    cells.push_back(cell(study.axes[a].textOf(row.at[a])));
-  cells.push_back(cell(row.error));
+    cells.push_back(csvCell(study.axes[a].textOf(row.at[a])));
+  cells.push_back(numberCell(row.error));
   const RunOutcome& run = row.outcome;
   for (std::size_t k = 0; k < study.settings.validations.size(); ++k)
-    cells.push_back(k < run.validation.size() ? cell(run.validation[k].measured) : "");
+    cells.push_back(k < run.validation.size() ? numberCell(run.validation[k].measured) : "");
   const RunCost& cost = run.cost;
   for (const double value : {cost.stepCpuSeconds, cost.cpuSeconds, cost.wallSeconds})
     cells.push_back(fmt::format("{:.4g}", value));
-  cells.push_back(cell(cost.instructions));
+  cells.push_back(numberCell(cost.instructions));
   for (const double value : {cost.peakBytes, cost.updatesPerSecond, cost.interactionsPerSecond})
     cells.push_back(fmt::format("{:.0f}", value));
   for (const long count : {run.steps, run.fluidParticles, run.wallParticles})
     cells.push_back(std::to_string(count));
-  cells.push_back(cell(run.failure));
-  cells.push_back(cell(run.failureTime));
-  cells.push_back(cell(run.folder.filename().string()));
+  cells.push_back(csvCell(run.failure));
+  cells.push_back(numberCell(run.failureTime));
+  cells.push_back(csvCell(run.folder.filename().string()));
   return cells;
 }
 
@@ -84,6 +80,15 @@ std::vector<std::size_t> Study::front() const {
 
 std::string Study::printed(double error) const {
   return unit.empty() ? fmt::format("{:.3g}", error) : fmt::format("{:.3g} {}", error, unit);
+}
+
+std::string unitOf(const Study& study) {
+  const ValidateSettings& asked = study.settings.validations.at(study.measure.entry);
+  if (study.measure.scale || (asked.curve && asked.relativeTolerance)) return "";
+  for (const StudyRow& row : study.rows)
+    if (study.measure.entry < row.outcome.validation.size())
+      return row.outcome.validation[study.measure.entry].unit;
+  return "";
 }
 
 std::string csvOf(const Study& study) {

@@ -40,6 +40,9 @@ struct Study {
   std::string printed(double error) const;
 };
 
+/// The unit of the study's errors, as its runs have it; none where they are relative.
+std::string unitOf(const Study& study);
+
 /// Rows as comma separated values: axes, error, every figure of [[validate]], cost, memory,
 /// failure.
 std::string csvOf(const Study& study);

@@ -2,8 +2,10 @@
 #include "studies/maps/map_files.hpp"
 
 #include "particles/atomic_file.hpp"
+#include "studies/csv.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +23,9 @@ std::string cellOf(const HeatMap& map, std::size_t row, std::size_t column) {
 
 std::string csvOf(const Map& map) {
   const auto lineOf = [](const std::vector<std::string>& cells) {
-    std::string line;
-    for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + csvCell(cell);
-    return line + "\n";
+    std::vector<std::string> quoted;
+    for (const std::string& cell : cells) quoted.push_back(csvCell(cell));
+    return fmt::format("{}\n", fmt::join(quoted, ","));
   };
   std::string text = lineOf(map.columns);
   for (const auto& row : map.rows) text += lineOf(row);
@@ -31,13 +33,6 @@ std::string csvOf(const Map& map) {
 }
 
 }  // namespace
-
-std::string csvCell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 std::string textOf(const HeatMap& map) {
   const std::string corner = fmt::format("{} \\ {}", map.rowLabel, map.columnLabel);

@@ -27,9 +27,6 @@ struct Map {
 /// A heat map as text: its title, then rows with the cells' texts (or values).
 std::string textOf(const HeatMap& map);
 
-/// A cell of CSV: in quotes where it must be (RFC 4180).
-std::string csvCell(const std::string& text);
-
 /// Writes the files into the folder and prints the charts as text (unless quiet) and the remarks.
 /// Throws RunError if a file cannot be written.
 void publish(const Map& map, const MapOptions& options);

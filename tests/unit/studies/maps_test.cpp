@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "studies/csv.hpp"
 #include "studies/maps/bisection.hpp"
 #include "studies/maps/collisions.hpp"
 #include "studies/maps/grid.hpp"
