@@ -11,7 +11,7 @@ ic=$build/ictools/plenum-ic
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest dam vessel gas blob_wind blob_mass pairing)
+known=(lattices walls relaxation blob report_card relaxed_sets densities at_rest dam vessel gas blob_wind blob_mass pairing methods)
 chosen=("${@:-${known[@]}}")
 
 # The disk in which the first pictures are taken.
@@ -105,6 +105,22 @@ for name in "${chosen[@]}"; do
             -o "$folder/blob_wind_${name}_$when.png"
         done
       done ;;
+    methods)  # of docs/methods; half an hour, and what is in ./run --study already is not run again
+      study=$build/studies/plenum-study
+      kept=$root/out/study
+      "$root/studies/overview.sh" "$build" "$root/cases" "$kept" > "$work/overview.txt"
+      "$study" stability transforms -o "$kept/stability" > "$folder/methods_transforms.txt"
+      "$study" stability modes -o "$kept/stability" > "$folder/methods_modes.txt"
+      for lattice in hexagonal square fcc; do
+        "$study" stability growth --lattice $lattice -o "$kept/stability"
+      done > "$folder/methods_growth.txt"
+      "$study" stability pairing -o "$kept/stability" > "$folder/methods_pairing.txt"
+      for name in transforms_2d modes_hexagonal pairing_2d; do
+        cp "$kept/stability/$name.png" "$folder/methods_$name.png"
+      done
+      cp "$kept/tank/error_cost.png" "$folder/methods_tank.png"
+      cp "$kept/tank/closed_form.png" "$folder/methods_closed_form.png"
+      "$root/docs/methods/make_studies.sh" "$study" "$root/cases" "$kept" "$folder" ;;
     blob_mass) measured blob ;;
     relaxed_sets | densities | at_rest | gas | pairing) measured "$name" ;;
     *) echo "make_figures.sh: $name: no such figure; known: ${known[*]}" >&2; exit 1 ;;

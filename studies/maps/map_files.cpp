@@ -3,6 +3,7 @@
 
 #include "particles/atomic_file.hpp"
 #include "studies/csv.hpp"
+#include "studies/page.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,6 +33,14 @@ std::string csvOf(const Map& map) {
   return text;
 }
 
+/// Charts and remarks, then every run.
+Page pageOf(const Map& map) {
+  PagePart charts{"Maps", map.remarks, {}, {}, {}};
+  for (const MapChart& chart : map.charts) charts.svgs.push_back(svgOf(chart.map, chart.name));
+  return {"Where methods fail: " + map.name,
+          {std::move(charts), {"All runs", {}, {}, {map.columns, map.rows}, {}}}};
+}
+
 }  // namespace
 
 std::string textOf(const HeatMap& map) {
@@ -59,12 +68,14 @@ std::string textOf(const HeatMap& map) {
 
 void publish(const Map& map, const MapOptions& options) {
   writeTextFile(options.folder / (map.name + ".csv"), csvOf(map));
+  writeTextFile(options.folder / (map.name + ".html"), htmlOf(pageOf(map)));
   if (!options.quiet)
     for (const MapChart& chart : map.charts) std::cout << textOf(chart.map) << "\n";
   for (const std::string& remark : map.remarks) std::cout << remark << "\n";
   for (const MapChart& chart : map.charts) writeChart(options.folder / chart.name, chart.map);
   if (!options.quiet)
-    std::cout << fmt::format("table: {}\n", (options.folder / (map.name + ".csv")).string());
+    std::cout << fmt::format("table and page: {}.csv, .html\n",
+                             (options.folder / map.name).string());
 }
 
 }  // namespace plenum::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a map leaves: NAME.csv with a row for every run, a chart for every figure, a text on stdout.
+// What a map leaves: NAME.csv with a row for every run, a chart for every figure, all of it in
+// NAME.html, a text on stdout.
 #pragma once
 
 #include "studies/chart.hpp"
