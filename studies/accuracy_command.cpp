@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/command_line.hpp"
-#include "studies/accuracy.hpp"
+#include "studies/case_options.hpp"
 #include "studies/commands.hpp"
 
 #include <iostream>
@@ -45,18 +45,7 @@ Example, the tank of water at rest:
 An interrupted study goes on where it stopped: begin it again with the same folder.)");
   const auto line = std::make_shared<AccuracyLine>();
   AccuracyOptions& options = line->options;
-  command->add_option("CASE", options.caseFile, "case file (TOML)")->required();
-  command
-      ->add_option("--vary", options.vary,
-                   "KEY=VALUE,VALUE: an axis of the grid; keys of [solver] without \"solver.\", "
-                   "h, spacing, lattice, walls, threads, time_step_factor, or any key in full; "
-                   "KEY:KEY=VALUE:VALUE,VALUE:VALUE ties keys; the value case: as the case has it")
-      ->allow_extra_args(false);
-  command->add_option("--set", options.settings, "a value of the case in all runs: key=value")
-      ->allow_extra_args(false);
-  command->add_flag("--quick", options.quick, "with the values of the case's table [quick]");
-  command->add_option("--quantity", options.quantity,
-                      "QUANTITY[:STATISTIC] of [[validate]] that is the error; absent: the first");
+  addCaseOptions(*command, options);
   command->add_option("--within", options.within, "errors to advise on, in the quantity's unit")
       ->check(CLI::PositiveNumber);
   command
@@ -64,10 +53,6 @@ An interrupted study goes on where it stopped: begin it again with the same fold
                    "two settings to compare at equal error: kernel=convex,h=2 "
                    "kernel=wendland_c2,h=1.5")
       ->expected(2);
-  command->add_flag("--against-case", options.isAgainstCase,
-                    "errors are relative differences from a run of the case itself, for "
-                    "quantities of [[validate]] that expect no value");
-  command->add_option("-o,--output", options.folder, "folder [CASE's name + _accuracy]");
   command
       ->add_option("-j,--jobs", options.jobs,
                    "runs at once; with more than one on a busy machine, times mean less")
@@ -77,9 +62,6 @@ An interrupted study goes on where it stopped: begin it again with the same fold
                    "of each run; the least CPU time counts, which a busy machine disturbs least")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command->add_option("--programs", options.programs,
-                      "folder of plenum-ic and plenum-sph [beside plenum-study]");
-  command->add_flag("-q,--quiet", options.quiet, "print advice only");
   return {command, [line] { return run(*line); }};
 }
 

@@ -6,12 +6,12 @@
 #include "studies/accuracy.hpp"
 #include "studies/chart.hpp"
 #include "studies/closed_form.hpp"
+#include "studies/numbers.hpp"
 #include "studies/page.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -57,14 +57,6 @@ std::vector<std::string> frontLines(const Study& study) {
   for (const std::size_t k : study.front())
     lines.push_back(fmt::format("{}. {}", lines.size(), labelOf(study, study.rows[k])));
   return lines;
-}
-
-std::optional<double> numberIn(const std::string& text) {
-  double value = 0;
-  const std::string whole = text.starts_with('.') ? "0" + text : text;
-  const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), value);
-  if (error != std::errc() || end != whole.data() + whole.size()) return std::nullopt;
-  return value;
 }
 
 std::optional<std::size_t> axisOf(const Study& study, const std::string& key) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/errors.hpp"
+#include "studies/numbers.hpp"
 #include "studies/study.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -73,12 +73,8 @@ Chosen chosenIn(const Study& study, const std::string& text) {
 }
 
 bool isNumeric(const Variation& axis) {
-  return std::ranges::all_of(axis.values, [](const auto& value) {
-    double number = 0;
-    const auto [end, error] =
-        std::from_chars(value[0].data(), value[0].data() + value[0].size(), number);
-    return error == std::errc() && end == value[0].data() + value[0].size();
-  });
+  return std::ranges::all_of(axis.values,
+                             [](const auto& value) { return numberIn(value[0]).has_value(); });
 }
 
 /// Rows that agree with `row` along axes that nobody chose, and with `chosen` but for numbers.

@@ -130,46 +130,65 @@ std::vector<double> LatticeModes<Dim>::omegaSquared(const Vec<Dim>& k) const {
   return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
 }
 
+namespace {
+
+/// A wave vector, how much of a displacement it carries, and how much of that is along it.
+template <int Dim>
+struct Carrier {
+  Vec<Dim> k{};
+  double weight = -1, longitudinal = 0;
+};
+
+/// How much of the displacement xi_s exp(i k.r) goes as exp(i K.r) with K = k + G.
+template <int Dim>
+Carrier<Dim> carriedBy(const Vec<Dim>& K, const Vec<Dim>& k, const Eigen::VectorXcd& xi,
+                       const std::vector<Vec<Dim>>& sites) {
+  Eigen::Vector<std::complex<double>, Dim> amplitude =
+      Eigen::Vector<std::complex<double>, Dim>::Zero();
+  for (std::size_t s = 0; s < sites.size(); ++s)
+    amplitude += xi.segment<Dim>(static_cast<Eigen::Index>(s) * Dim) *
+                 std::polar(1.0, -dot(K - k, sites[s]));
+  std::complex<double> along = 0;
+  for (int a = 0; a < Dim; ++a) along += amplitude[a] * K[a];
+  const double weight = amplitude.squaredNorm(), length = norm(K);
+  const bool isWave = weight > 0 && length > 0;
+  return {K, weight, isWave ? std::norm(along) / (weight * length * length) : 0};
+}
+
+/// The wave that carries most of a displacement. Waves whose vectors differ by a vector of the
+/// cell's reciprocal lattice are told apart by how xi goes from site to site; of those that are the
+/// same on all sites the longest counts.
+template <int Dim>
+Carrier<Dim> carrierOf(const Vec<Dim>& k, const Eigen::VectorXcd& xi,
+                       const std::vector<Vec<Dim>>& sites, const Vec<Dim>& edges) {
+  Carrier<Dim> best;
+  const int many = static_cast<int>(sites.size());
+  Vec<Dim> g = Vec<Dim>::filled(-many);
+  for (;;) {
+    Vec<Dim> K = k;
+    for (int a = 0; a < Dim; ++a) K[a] += 2 * kernel::pi * g[a] / edges[a];
+    const Carrier<Dim> found = carriedBy<Dim>(K, k, xi, sites);
+    const bool isSame = found.weight > (1 - 1e-9) * best.weight;
+    if (found.weight > (1 + 1e-9) * best.weight || (isSame && norm(K) < norm(best.k) - 1e-9))
+      best = found;
+    int axis = 0;
+    while (axis < Dim && ++g[axis] > many) g[axis++] = -many;
+    if (axis == Dim) return best;
+  }
+}
+
+}  // namespace
+
 template <int Dim>
 Mode<Dim> LatticeModes<Dim>::modeAt(const Vec<Dim>& k, std::size_t branch) const {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(matrixAt(k).D);
   const Eigen::VectorXcd xi = solver.eigenvectors().col(static_cast<Eigen::Index>(branch));
-  Mode<Dim> mode;
-  mode.omegaSquared = solver.eigenvalues()[static_cast<Eigen::Index>(branch)];
-  // xi_s stands for xi_s exp(i k.r): waves of k and of k with a vector G of the cell's reciprocal
-  // lattice are told apart by how xi goes from site to site.
-  double largest = -1;
-  std::array<int, 3> m{};
-  const int many = static_cast<int>(sites_.size());
-  const auto visit = [&](auto&& self, int axis) -> void {
-    if (axis == Dim) {
-      Vec<Dim> K = k;
-      for (int a = 0; a < Dim; ++a)
-        K[a] += 2 * kernel::pi * m[static_cast<std::size_t>(a)] / edges_[a];
-      Eigen::VectorXcd amplitude = Eigen::VectorXcd::Zero(Dim);
-      for (std::size_t s = 0; s < sites_.size(); ++s)
-        for (int a = 0; a < Dim; ++a)
-          amplitude[a] +=
-              xi[static_cast<Eigen::Index>(s) * Dim + a] * std::polar(1.0, -dot(K - k, sites_[s]));
-      const double weight = amplitude.squaredNorm();
-      const double length = norm(K);
-      // Among waves that look the same on the lattice, the longest.
-      const bool isSame = weight > (1 - 1e-9) * largest;
-      if (weight > (1 + 1e-9) * largest || (isSame && length < norm(mode.k) - 1e-9)) {
-        largest = weight;
-        mode.k = K;
-        std::complex<double> along = 0;
-        for (int a = 0; a < Dim; ++a) along += amplitude[a] * K[a];
-        mode.longitudinal = length > 0 ? std::norm(along) / (weight * length * length) : 0;
-      }
-      return;
-    }
-    for (int g = -many; g <= many; ++g) {
-      m[static_cast<std::size_t>(axis)] = g;
-      self(self, axis + 1);
-    }
-  };
-  visit(visit, 0);
+  const Carrier<Dim> carrier = carrierOf<Dim>(k, xi, sites_, edges_);
+  Mode<Dim> mode{solver.eigenvalues()[static_cast<Eigen::Index>(branch)],
+                 carrier.k,
+                 carrier.longitudinal,
+                 {},
+                 {}};
   for (std::size_t s = 0; s < sites_.size(); ++s) {
     Vec<Dim> real{}, imaginary{};
     for (int a = 0; a < Dim; ++a) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/atomic_file.hpp"
 #include "particles/command_line.hpp"
+#include "studies/case_options.hpp"
 #include "studies/commands.hpp"
 #include "studies/minimal.hpp"
 
@@ -48,30 +49,14 @@ Examples:
   plenum-study minimal cases/sod.toml --error 0.02 --vary kernel=cubic_spline,wendland_c2 \
     --vary spacing=0.04,0.02,0.01
 
+Without --vary: five kernels, h = 1.3, 1.5, 2, and 4, 2 and 1 times the case's spacing.
 Settings are tried by rising cost; an interrupted search goes on where it stopped.)");
   const auto line = std::make_shared<MinimalLine>();
   AccuracyOptions& options = line->options;
-  command->add_option("CASE", options.caseFile, "case file (TOML)")->required();
+  addCaseOptions(*command, options);
   command->add_option("--error", line->error, "that must be met, in the quantity's unit")
       ->required()
       ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--vary", options.vary,
-                   "KEY=VALUE,VALUE: an axis of the settings to choose from, as of accuracy; "
-                   "absent: five kernels, h = 1.3, 1.5, 2, and 4, 2 and 1 times the case's spacing")
-      ->allow_extra_args(false);
-  command->add_option("--set", options.settings, "a value of the case in all runs: key=value")
-      ->allow_extra_args(false);
-  command->add_flag("--quick", options.quick, "with the values of the case's table [quick]");
-  command->add_option("--quantity", options.quantity,
-                      "QUANTITY[:STATISTIC] of [[validate]] that is the error; absent: the first");
-  command->add_flag("--against-case", options.isAgainstCase,
-                    "errors are relative differences from a run of the case itself, for "
-                    "quantities of [[validate]] that expect no value");
-  command->add_option("-o,--output", options.folder, "folder [CASE's name + _minimal]");
-  command->add_option("--programs", options.programs,
-                      "folder of plenum-ic and plenum-sph [beside plenum-study]");
-  command->add_flag("-q,--quiet", options.quiet, "print what was found only");
   return {command, [line] { return run(*line); }};
 }
 

@@ -2,12 +2,12 @@
 #include "studies/page.hpp"
 
 #include "particles/errors.hpp"
+#include "studies/numbers.hpp"
 #include "studies/page_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
@@ -58,18 +58,12 @@ std::string bytesOf(const std::filesystem::path& path) {
   return bytes.str();
 }
 
-bool isNumber(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
 /// Columns whose cells are no numbers.
 std::vector<bool> textColumns(const PageTable& table) {
   std::vector<bool> isText(table.columns.size(), false);
   for (const auto& row : table.rows)
     for (std::size_t c = 0; c < row.size(); ++c)
-      if (!row[c].empty() && !isNumber(row[c])) isText[c] = true;
+      if (!row[c].empty() && !numberIn(row[c])) isText[c] = true;
   return isText;
 }
 

@@ -3,12 +3,12 @@
 
 #include "particles/case_settings.hpp"
 #include "particles/errors.hpp"
+#include "studies/numbers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -38,14 +38,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
     parts.back() += c;
   }
   return parts;
-}
-
-std::optional<double> numberIn(const std::string& text) {
-  double value = 0;
-  const std::string whole = text.starts_with('.') ? "0" + text : text;
-  const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), value);
-  if (error != std::errc() || end != whole.data() + whole.size()) return std::nullopt;
-  return value;
 }
 
 std::vector<std::string> keysOf(const SectionDoc& section) {

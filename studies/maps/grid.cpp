@@ -77,6 +77,26 @@ HeatMap Grid::chart(const std::string& title, const std::string& valueLabel, con
   return map;
 }
 
+Chart Grid::overTime(const std::string& title, const std::string& column,
+                     const std::string& unit) const {
+  const std::size_t last = plan.columns.values.size() - 1;
+  Chart chart{fmt::format("{}, {} = {}", title, plan.columns.name, plan.columns.values[last].text),
+              {"t [s]", false, {}, {}},
+              {unit.empty() ? column : fmt::format("{} [{}]", column, unit), false, 0, {}},
+              {}};
+  for (std::size_t r = 0; r < plan.rows.values.size(); ++r) {
+    const RunOutcome& outcome = outcomes[r][last].front();
+    Series series{plan.rows.values[r].text, SeriesStyle::linesAndPoints, {}, false};
+    if (!std::filesystem::exists(outcome.folder / "history.csv")) continue;  // never began
+    const HistoryColumn history = historyOf(outcome, column);
+    for (std::size_t k = 0; k < history.times.size(); ++k)
+      series.points.push_back({history.times[k], history.values[k],
+                               fmt::format("{}: {:.3g}", series.name, history.values[k])});
+    chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
 void Grid::tabulate(const std::vector<std::pair<std::string, Figure>>& figures, Map& map) const {
   map.columns = {plan.rows.name, plan.columns.name, "seed"};
   for (const auto& [name, figure] : figures) map.columns.push_back(name);

@@ -59,6 +59,10 @@ struct Grid {
   HeatMap chart(const std::string& title, const std::string& valueLabel, const Figure& figure,
                 OfSeeds how = OfSeeds::mean) const;
 
+  /// A column of history.csv over time, for the first seed of each row in the grid's last column.
+  Chart overTime(const std::string& title, const std::string& column,
+                 const std::string& unit) const;
+
   /// The table of a map: a row for each run with these figures and how it failed.
   void tabulate(const std::vector<std::pair<std::string, Figure>>& figures, Map& map) const;
 };

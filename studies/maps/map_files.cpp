@@ -37,6 +37,7 @@ std::string csvOf(const Map& map) {
 Page pageOf(const Map& map) {
   PagePart charts{"Maps", map.remarks, {}, {}, {}};
   for (const MapChart& chart : map.charts) charts.svgs.push_back(svgOf(chart.map, chart.name));
+  for (const MapLines& lines : map.lines) charts.svgs.push_back(svgOf(lines.chart, lines.name));
   return {"Where methods fail: " + map.name,
           {std::move(charts), {"All runs", {}, {}, {map.columns, map.rows}, {}}}};
 }
@@ -73,6 +74,7 @@ void publish(const Map& map, const MapOptions& options) {
     for (const MapChart& chart : map.charts) std::cout << textOf(chart.map) << "\n";
   for (const std::string& remark : map.remarks) std::cout << remark << "\n";
   for (const MapChart& chart : map.charts) writeChart(options.folder / chart.name, chart.map);
+  for (const MapLines& lines : map.lines) writeChart(options.folder / lines.name, lines.chart);
   if (!options.quiet)
     std::cout << fmt::format("table and page: {}.csv, .html\n",
                              (options.folder / map.name).string());

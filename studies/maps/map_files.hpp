@@ -17,11 +17,17 @@ struct MapChart {
   HeatMap map;
 };
 
+struct MapLines {
+  std::string name;  ///< of its files, without an ending
+  Chart chart;
+};
+
 struct Map {
   std::string name;                            ///< of its table
   std::vector<std::string> columns;            ///< of the table
   std::vector<std::vector<std::string>> rows;  ///< of the table: one for each run
   std::vector<MapChart> charts;
+  std::vector<MapLines> lines;       ///< what single runs did over time
   std::vector<std::string> remarks;  ///< what the map says, in sentences
 };
 

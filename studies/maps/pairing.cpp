@@ -79,7 +79,8 @@ GridPlan planOf(const PairingOptions& options) {
   plan.columns = columnsOf(options);
   plan.seeds = options.seeds.value();
   plan.label = fmt::format("pairing, {}-D", options.dimension);
-  plan.settings = {"validate=[]", isPlane ? "output.every=2" : "output.every=10"};
+  plan.settings = {"validate=[]", isPlane ? "output.every=2" : "output.every=10",
+                   isPlane ? "output.history_every=0.1" : "output.history_every=1"};
   if (isNoise) {
     plan.settings.push_back(isPlane ? "fluid[0].lattice=hexagonal" : "fluid[0].lattice=hcp");
     plan.settings.push_back("fluid[0].jitter=0.02");
@@ -143,6 +144,11 @@ void runPairing(PairingOptions options) {
     chart.map.lowest = 0;
     chart.map.highest = 1;
   }
+  if (isPlane)
+    for (const auto& [column, columnUnit] :
+         {std::pair{"f.5", ""}, {"nn_min", "d_ref"}, {"psi6", ""}})
+      map.lines.push_back({fmt::format("{}_time_{}", map.name, column),
+                           grid.overTime("Gas box " + from, column, columnUnit)});
   grid.tabulate(figures, map);
   addOnsets(grid, paired, map);
   publish(map, options.common);

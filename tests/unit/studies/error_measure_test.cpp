@@ -54,6 +54,21 @@ TEST(ErrorMeasure, IsOfEntriesThatAreErrorsOrExpectSomething) {
   EXPECT_EQ(measures[2].of(outcomeWith(1e-4)), 1e-4);
 }
 
+TEST(ErrorMeasure, MayBeADifferenceFromTheCaseItself) {
+  const CaseSettings settings = settingsWith(someEntries);
+  ErrorMeasure measure = measureAgainstCase(settings, "max_speed");  // which has a bound only
+  RunOutcome itself = outcomeWith(0), other = outcomeWith(0);
+  itself.validation[0].measured = 4;
+  takeReference(measure, itself);
+  EXPECT_EQ(measure.of(itself), 0);
+  EXPECT_EQ(measure.of(other), 0.25);  // 3 instead of 4
+  itself.validation[0].measured = 0;
+  EXPECT_THROW(takeReference(measure, itself), RunError);
+  itself.failure = "too fast";
+  EXPECT_THROW(takeReference(measure, itself), RunError);
+  EXPECT_THROW(measureAgainstCase(settings, "temperature"), InputError);
+}
+
 TEST(ErrorMeasure, HasNoValueWhereARunFailed) {
   const ErrorMeasure measure = errorMeasuresOf(settingsWith(someEntries))[0];
   RunOutcome failed = outcomeWith(3);

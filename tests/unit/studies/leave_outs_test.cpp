@@ -28,6 +28,9 @@ TEST(LeaveOuts, AreTheSecondFluidAndOptionalTerms) {
   EXPECT_THAT(namesOf(all), testing::IsSupersetOf({"the fluid air", "collisions", "viscosity"}));
   EXPECT_EQ(dam.find("fluid")->asArray().size(), 2u);
   EXPECT_EQ(all[0].root.find("fluid")->asArray().size(), 1u);
+  // Which a single fluid has no field for.
+  EXPECT_EQ(dam.find("output")->find("picture")->asString(), "material");
+  EXPECT_EQ(all[0].root.find("output")->find("picture"), nullptr);
 }
 
 /// What is left out is out of the printed file, too, and plenum-ic takes it.
