@@ -115,7 +115,10 @@ for name in "${chosen[@]}"; do
         "$study" stability growth --lattice $lattice -o "$kept/stability"
       done > "$folder/methods_growth.txt"
       "$study" stability pairing -o "$kept/stability" > "$folder/methods_pairing.txt"
-      for name in transforms_2d modes_hexagonal pairing_2d; do
+      "$study" stability transforms -o "$work/few" > "$work/few.txt" \
+        --kernels cubic_spline,quintic_spline,wendland_c2,wendland_c2_1d,convex
+      cp "$work/few/transforms_2d.png" "$folder/methods_transforms_2d.png"
+      for name in modes_hexagonal pairing_2d; do
         cp "$kept/stability/$name.png" "$folder/methods_$name.png"
       done
       cp "$kept/tank/error_cost.png" "$folder/methods_tank.png"

@@ -14,11 +14,12 @@ namespace plenum::study {
 
 namespace {
 
-/// Colours that people who see few of them can still tell apart (Okabe & Ito 2008), and a point
-/// type for each: filled, so that they show on lines.
+/// Colours that people who see few of them can still tell apart (Okabe & Ito 2008, then Tol 2021),
+/// one for each kernel, and a point type for each.
 constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
-                             "#56b4e9", "#000000", "#7f7f7f", "#8b5a2b"};
-constexpr std::array pointTypes{7, 5, 9, 11, 13, 15, 6, 4, 8};
+                             "#56b4e9", "#000000", "#7f7f7f", "#8b5a2b", "#882255",
+                             "#999933", "#332288", "#88ccee"};
+constexpr std::array pointTypes{7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14, 2};
 
 /// Ends of an axis: those that are asked for, or the values' own with some room. A logarithmic axis
 /// would else begin and end with powers of ten.

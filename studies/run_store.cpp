@@ -82,7 +82,7 @@ std::string described(const RunRequest& request) {
 }  // namespace
 
 RunStore::RunStore(fs::path folder, Programs programs, bool quiet)
-    : folder_(std::move(folder)), programs_(std::move(programs)), quiet_(quiet) {}
+    : lock_(folder), folder_(std::move(folder)), programs_(std::move(programs)), quiet_(quiet) {}
 
 fs::path RunStore::folderOf(const RunRequest& request) const {
   CaseNode root = CaseNode::load(request.caseFile);

@@ -4,6 +4,7 @@
 // of their own, and kept in a folder, so that no run is made twice.
 #pragma once
 
+#include "studies/folder_lock.hpp"
 #include "studies/outcome.hpp"
 #include "studies/programs.hpp"
 
@@ -24,7 +25,8 @@ struct RunRequest {
 class RunStore {
  public:
   /// Keeps runs in `folder`, in one folder each, named by a key of the case as the settings leave
-  /// it, the files that it names, the number of threads and the two programs.
+  /// it, the files that it names, the number of threads and the two programs. Throws InputError if
+  /// another study has the folder.
   RunStore(std::filesystem::path folder, Programs programs, bool quiet);
 
   /// The outcomes, in the order of the requests; runs that are there already are not made again.
@@ -44,6 +46,7 @@ class RunStore {
   std::filesystem::path folderOf(const RunRequest& request) const;
   RunOutcome make(const RunRequest& request, const std::filesystem::path& folder) const;
 
+  FolderLock lock_;
   std::filesystem::path folder_;
   Programs programs_;
   bool quiet_;

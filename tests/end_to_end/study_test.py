@@ -77,6 +77,16 @@ class Studies(Programs):
         for file, when in done.items():
             self.assertEqual(os.path.getmtime(file), when)
 
+    def test_a_folder_is_of_one_study_at_a_time(self):
+        study = subprocess.Popen(self.accuracy("--vary", "h=1.2,1.3,1.4"), cwd=self.folder,
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not self.outcomes():
+            self.assertIsNone(study.poll())
+            time.sleep(.01)
+        self.refused(self.accuracy("--vary", "h=1.5"), "another study", "-o")
+        self.assertEqual(study.wait(), 0)
+        self.assertEqual(len(self.outcomes()), 3)
+
     def test_a_run_that_fails_is_a_result(self):
         # A speed limit of a hundred-thousandth of c: the column's sway is faster.
         out = self.ok(*self.accuracy("--vary", "solver.speed_limit=1e-5,5"))
