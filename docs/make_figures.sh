@@ -118,8 +118,8 @@ for name in "${chosen[@]}"; do
       "$study" stability transforms -o "$work/few" > "$work/few.txt" \
         --kernels cubic_spline,quintic_spline,wendland_c2,wendland_c2_1d,convex
       cp "$work/few/transforms_2d.png" "$folder/methods_transforms_2d.png"
-      for name in modes_hexagonal pairing_2d; do
-        cp "$kept/stability/$name.png" "$folder/methods_$name.png"
+      for map in modes_hexagonal pairing_2d; do
+        cp "$kept/stability/$map.png" "$folder/methods_$map.png"
       done
       cp "$kept/tank/error_cost.png" "$folder/methods_tank.png"
       cp "$kept/tank/closed_form.png" "$folder/methods_closed_form.png"
