@@ -109,17 +109,18 @@ for name in "${chosen[@]}"; do
       study=$build/studies/plenum-study
       kept=$root/out/study
       "$root/studies/overview.sh" "$build" "$root/cases" "$kept" > "$work/overview.txt"
-      "$study" stability transforms -o "$kept/stability" > "$folder/methods_transforms.txt"
-      "$study" stability modes -o "$kept/stability" > "$folder/methods_modes.txt"
+      map() { "$study" stability "$@" -o "$kept/stability" | grep -vE '^(written to|table and page)'; }
+      map transforms > "$folder/methods_transforms.txt"
+      map modes > "$folder/methods_modes.txt"
       for lattice in hexagonal square fcc; do
-        "$study" stability growth --lattice $lattice -o "$kept/stability"
+        map growth --lattice $lattice
       done > "$folder/methods_growth.txt"
-      "$study" stability pairing -o "$kept/stability" > "$folder/methods_pairing.txt"
+      map pairing > "$folder/methods_pairing.txt"
       "$study" stability transforms -o "$work/few" > "$work/few.txt" \
         --kernels cubic_spline,quintic_spline,wendland_c2,wendland_c2_1d,convex
       cp "$work/few/transforms_2d.png" "$folder/methods_transforms_2d.png"
-      for map in modes_hexagonal pairing_2d; do
-        cp "$kept/stability/$map.png" "$folder/methods_$map.png"
+      for drawn in modes_hexagonal pairing_2d; do
+        cp "$kept/stability/$drawn.png" "$folder/methods_$drawn.png"
       done
       cp "$kept/tank/error_cost.png" "$folder/methods_tank.png"
       cp "$kept/tank/closed_form.png" "$folder/methods_closed_form.png"
