@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/accuracy.hpp"
 
-#include "particles/atomic_file.hpp"
-#include "particles/errors.hpp"
 
 #include <fmt/format.h>
 

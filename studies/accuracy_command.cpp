@@ -47,7 +47,7 @@ An interrupted study goes on where it stopped: begin it again with the same fold
   AccuracyOptions& options = line->options;
   addCaseOptions(*command, options);
   command->add_option("--within", options.within, "errors to advise on, in the quantity's unit")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(notPositive, "ABOVE 0"));
   command
       ->add_option("--compare", line->compared,
                    "two settings to compare at equal error: kernel=convex,h=2 "

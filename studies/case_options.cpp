@@ -2,6 +2,7 @@
 #include "studies/case_options.hpp"
 
 #include "particles/command_line.hpp"
+#include "studies/numbers.hpp"
 
 namespace plenum::study {
 
@@ -26,6 +27,11 @@ void addCaseOptions(CLI::App& command, AccuracyOptions& options) {
   command.add_option("--programs", options.programs,
                      "folder of plenum-ic and plenum-sph [beside plenum-study]");
   command.add_flag("-q,--quiet", options.quiet, "print what was found only");
+}
+
+std::string notPositive(const std::string& text) {
+  const std::optional<double> number = numberIn(text);
+  return number && *number > 0 ? "" : text + " is no number above 0";
 }
 
 }  // namespace plenum::study

@@ -13,4 +13,7 @@ namespace plenum::study {
 /// measured, where all of it goes.
 void addCaseOptions(CLI::App& command, AccuracyOptions& options);
 
+/// A check for CLI11: a number above zero. Its own message prints the largest double.
+std::string notPositive(const std::string& text);
+
 }  // namespace plenum::study

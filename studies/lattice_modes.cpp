@@ -44,7 +44,8 @@ Lattice<Dim> latticeNamed(const std::string& name) {
 }
 
 /// F and (dF/dr)/r, where grad W = F R. The second one by a difference of F over a
-/// hundred-thousandth of h: to some 1e-10 of the kernel where its second derivative is continuous.
+/// hundred-thousandth of h: to some 1e-10 of the kernel where its second derivative is continuous,
+/// and the mean of both sides where it jumps, as it does at the end of some kernels.
 template <int Dim>
 std::pair<double, double> derivatives(KernelId id, double r, double h) {
   const kernel::Any profile{id};
@@ -54,6 +55,12 @@ std::pair<double, double> derivatives(KernelId id, double r, double h) {
   return {factor * profile.g(R),
           factor * (profile.g(R + step) - profile.g(R - step)) / (2 * step) / (h * r)};
 }
+
+/// Neighbours who stand just where a kernel ends, which a lattice has at some smoothing lengths.
+bool isAtEnd(double r, double support) { return std::abs(r - support) < 1e-9 * support; }
+
+/// The force itself jumps at the kernel's end: neighbours there have no linear theory.
+bool endsWithJump(KernelId id) { return std::abs(kernel::Any{id}.g(2 - 1e-9)) > 1e-6; }
 
 }  // namespace
 
@@ -83,8 +90,8 @@ LatticeModes<Dim>::LatticeModes(const LatticeState& state) {
     for (const Vec<Dim>& point : around) {
       const Vec<Dim> R = sites_[s] - point;
       const double r = norm(R);
-      // Where a kernel ends with a jump of its slope, neighbours at the very end count for nothing.
-      if (r < 1e-6 || r > support * (1 - 1e-9)) continue;
+      if (r < 1e-6 || (r > support && !isAtEnd(r, support))) continue;
+      if (isAtEnd(r, support) && endsWithJump(state.kernel)) continue;
       Vec<Dim> inCell = point;
       for (int a = 0; a < Dim; ++a)
         inCell[a] -= edges_[a] * std::floor(point[a] / edges_[a] + 1e-9);

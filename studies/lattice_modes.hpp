@@ -9,6 +9,10 @@
 //   A_st xi_t = sum over neighbours of grad W . (xi_s - xi_t e),  e = exp(-i k.R), R = r_s - r_t,
 //   B_st as A_st, with + for -, and H of the second derivatives of W as A of the first.
 // Units: spacing d_ref, rho0 and c are 1.
+//
+// Where W'' jumps at the kernel's end and neighbours stand just there, a particle that comes nearer
+// meets another stiffness than one that goes: theory takes the mean, the solver agrees to some per
+// cent. Where W' jumps (schuessler_schmitt) these neighbours are left out.
 #pragma once
 
 #include "particles/kernels.hpp"

@@ -24,17 +24,32 @@ Examples, from theory to measurement:
   plenum-study stability growth --kernels convex
   plenum-study stability pairing --start noise --kernels cubic_spline,wendland_c2)";
 
+/// Throws InputError that lists the maps where `stability` stands without one.
+void requireMap(const CLI::App& stability) {
+  if (!stability.parsed() || !stability.get_subcommands().empty()) return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : stability.get_subcommands({}))
+    names.push_back(command->get_name());
+  const std::vector<std::string> unknown = stability.remaining();
+  throw InputError(
+      fmt::format("stability: {}; there are {}, see stability --help",
+                  unknown.empty() ? "no map given" : "unknown map '" + unknown.front() + "'",
+                  fmt::join(names, ", ")));
+}
+
 int main(int argc, char** argv) {
   CLI::App app{"plenum-study: charts speed against accuracy, and where methods fail"};
   app.footer(examples);
   app.set_version_flag("--version", fmt::format("plenum-study {}", version));
   std::vector<Command> commands{addAccuracy(app), addMinimal(app)};
   CLI::App* stability = app.add_subcommand("stability", "where methods become unstable");
-  stability->require_subcommand(1);
+  stability->require_subcommand(0, 1);
+  stability->allow_extras();  // so that requireMap can say what was not understood
   stability->footer(stabilityExamples);
   for (const auto& add : {addLatticeCommands, addMapCommands})
     for (Command& command : add(*stability)) commands.push_back(std::move(command));
   if (const auto code = parseCommandLine(app, argc, argv)) return *code;
+  requireMap(*stability);
   for (const Command& command : commands)
     if (command.app->parsed()) return command.run();
   return exitOk;

@@ -56,7 +56,7 @@ Settings are tried by rising cost; an interrupted search goes on where it stoppe
   addCaseOptions(*command, options);
   command->add_option("--error", line->error, "that must be met, in the quantity's unit")
       ->required()
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(notPositive, "ABOVE 0"));
   return {command, [line] { return run(*line); }};
 }
 

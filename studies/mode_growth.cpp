@@ -204,10 +204,10 @@ std::vector<MeasuredMode> measureExtremes(const LatticeState& state, int nCells)
 
 std::string tableOf(const std::vector<MeasuredMode>& modes) {
   std::string text =
-      fmt::format("{:<16}{:<11}{:>8}{:>6}{:>12}{:>13}{:>13}{:>11}\n", "kernel", "lattice",
+      fmt::format("{:<20}{:<11}{:>8}{:>6}{:>12}{:>13}{:>13}{:>11}\n", "kernel", "lattice",
                   "h/d_ref", "p0", "waves", "omega^2", "measured", "deviation");
   for (const MeasuredMode& m : modes)
-    text += fmt::format("{:<16}{:<11}{:>8g}{:>6g}{:>12}{:>13.5g}{:>13.5g}{:>9.3f} %\n",
+    text += fmt::format("{:<20}{:<11}{:>8g}{:>6g}{:>12}{:>13.5g}{:>13.5g}{:>9.3f} %\n",
                         m.state.kernel.name(), m.state.lattice, m.state.smoothingLength,
                         m.state.backgroundPressure, fmt::format("{}", fmt::join(m.waves, " ")),
                         m.omegaSquared, m.measured, 100 * m.deviation());

@@ -132,11 +132,31 @@ Variation Variation::parse(const std::string& text, const std::filesystem::path&
     axis.values.emplace_back();
     for (std::size_t k = 0; k < given.size(); ++k)
       axis.values.back().insert(axis.values.back().end(), wide[k], tied[k]);
+    if (std::ranges::count(axis.values, axis.values.back()) > 1)
+      throw InputError(fmt::format("--vary {}: {} stands there twice", text, value));
   }
   return axis;
 }
 
+namespace {
+
+void requireDistinctKeys(const std::vector<Variation>& axes) {
+  std::vector<std::string> known;
+  for (const Variation& axis : axes)
+    for (const std::string& key : axis.keys) {
+      if (std::ranges::count(known, key) > 0)
+        throw InputError(
+            fmt::format("--vary: {} is varied twice; write all its values behind one "
+                        "--vary, with commas between",
+                        key));
+      known.push_back(key);
+    }
+}
+
+}  // namespace
+
 std::vector<Combination> gridOf(const std::vector<Variation>& axes, const RunRequest& base) {
+  requireDistinctKeys(axes);
   std::vector<Combination> grid;
   std::vector<std::size_t> at(axes.size(), 0);
   for (;;) {
@@ -169,6 +189,7 @@ std::vector<Combination> gridOf(const std::vector<Variation>& axes, const RunReq
 }
 
 std::string describe(const std::vector<Variation>& axes, const std::vector<std::size_t>& at) {
+  if (axes.empty()) return "as the case has it";
   std::vector<std::string> parts;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const std::string& value = axes[a].textOf(at[a]);

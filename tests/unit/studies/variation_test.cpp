@@ -63,6 +63,8 @@ TEST(Variation, RefusesWhatItCannotRead) {
   EXPECT_THAT(refusal("h"), HasSubstr("h"));
   EXPECT_THAT(refusal("h=1.5,,2"), HasSubstr("KEY=VALUE,VALUE"));
   EXPECT_THAT(refusal("h:spacing=1.5"), HasSubstr("KEY:KEY=VALUE:VALUE"));
+  EXPECT_THAT(refusal("h=1.5,2,1.5"), HasSubstr("1.5 stands there twice"));
+  EXPECT_THAT(refusal("h:h=1:2"), HasSubstr("solver.smoothing_length is varied twice"));
   EXPECT_THAT(refusal("threads=1.5"), HasSubstr("no positive whole number"));
   EXPECT_THAT(refusal("time_step_factor=-1"), HasSubstr("no positive number"));
 }
@@ -78,6 +80,7 @@ TEST(Grid, HasAllCombinationsTheLastAxisFastest) {
       ElementsAre("solver.end_time=0.5", "solver.kernel=wendland_c2", "solver.smoothing_length=2"));
   EXPECT_EQ(describe(axes, grid[4].at), "wendland_c2, h = 2 d_ref");
   EXPECT_EQ(gridOf({}, {tank, {}, 1, false}).size(), 1u);
+  EXPECT_EQ(describe({}, {}), "as the case has it");
 }
 
 /// The tank fixes 2e-4 s at a spacing of .01 m.
