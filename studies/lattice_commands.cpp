@@ -3,6 +3,7 @@
 #include "particles/atomic_file.hpp"
 #include "particles/command_line.hpp"
 #include "studies/commands.hpp"
+#include "studies/list_option.hpp"
 #include "studies/mode_growth.hpp"
 #include "studies/mode_map.hpp"
 #include "studies/transforms.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <iterator>
 #include <memory>
 
 namespace plenum::study {
@@ -24,8 +26,14 @@ struct LatticeOptions {
   std::vector<double> smoothingLengths{1.1, 1.2, 1.3, 1.4, 1.5, 1.6,
                                        1.7, 1.8, 2,   2.5, 3};  // [d_ref]
   std::string lattice = "hexagonal";
-  double backgroundPressure = 1;  // p0 [rho0 c^2]
+  std::vector<double> backgroundPressures{1};  // p0 [rho0 c^2]
 };
+
+void requireUsable(const LatticeOptions& options) {
+  requireWords("--kernels", options.kernels, KernelId::names());
+  requireNumbers("--smoothing-length", options.smoothingLengths, 0.5, 10);
+  requireNumbers("--background-pressure", options.backgroundPressures, -1, 100);
+}
 
 bool isOfThePlane(const std::string& lattice) {
   return std::ranges::count(latticeNames(2), lattice) > 0;
@@ -44,11 +52,13 @@ int runTransforms(const LatticeOptions& options) {
 }
 
 int runModes(const LatticeOptions& options) {
-  const ModeMap map = computeModes(options.lattice, options.backgroundPressure, options.kernels,
+  const ModeMap map = computeModes(options.lattice, options.backgroundPressures, options.kernels,
                                    options.smoothingLengths);
   std::cout << tableOf(map);
   fs::create_directories(options.folder);
-  const fs::path file = options.folder / ("modes_" + options.lattice);
+  const bool isOfPressures = options.backgroundPressures.size() > 1;
+  const fs::path file =
+      options.folder / ("modes_" + options.lattice + (isOfPressures ? "_pressures" : ""));
   writeTextFile(file.string() + ".csv", csvOf(map));
   writeChart(file, heatMapOf(map));
   std::cout << fmt::format("written to {}.*\n", file.string());
@@ -60,12 +70,12 @@ template <int Dim>
 std::vector<MeasuredMode> measuredModes(const LatticeOptions& options) {
   std::vector<MeasuredMode> all;
   for (const std::string& kernel : options.kernels)
-    for (const double h : options.smoothingLengths) {
-      const LatticeState state{options.lattice, KernelId::named(kernel), h,
-                               options.backgroundPressure};
-      const int nCells = std::max(Dim == 2 ? 8 : 4, static_cast<int>(std::ceil(4 * h)) + 1);
-      for (const MeasuredMode& mode : measureExtremes<Dim>(state, nCells)) all.push_back(mode);
-    }
+    for (const double pressure : options.backgroundPressures)
+      for (const double h : options.smoothingLengths) {
+        const LatticeState state{options.lattice, KernelId::named(kernel), h, pressure};
+        const int nCells = std::max(Dim == 2 ? 8 : 4, static_cast<int>(std::ceil(4 * h)) + 1);
+        std::ranges::move(measureExtremes<Dim>(state, nCells), std::back_inserter(all));
+      }
   return all;
 }
 
@@ -86,26 +96,20 @@ Command addCommand(CLI::App& stability, const char* name, const char* what, bool
                    LatticeOptions defaults, Run run) {
   CLI::App* command = stability.add_subcommand(name, what);
   const auto options = std::make_shared<LatticeOptions>(std::move(defaults));
-  command->add_option("--kernels", options->kernels, "by their names in cases, with commas between")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
-  command->add_option("--smoothing-length", options->smoothingLengths, "h/d_ref")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::Range(0.5, 10.0))
-      ->capture_default_str();
+  addList(*command, "--kernels", options->kernels, "by their names in cases");
+  addList(*command, "--smoothing-length", options->smoothingLengths, "h/d_ref");
   command->add_option("-o,--output", options->folder, "folder of tables and charts")
       ->capture_default_str();
   if (hasLattice) {
     command->add_option("--lattice", options->lattice, "square, hexagonal, cubic, bcc, fcc or hcp")
         ->check(CLI::IsMember({"square", "hexagonal", "cubic", "bcc", "fcc", "hcp"}))
         ->capture_default_str();
-    command->add_option("--background-pressure", options->backgroundPressure, "p0 [rho0 c^2]")
-        ->check(CLI::Range(-1.0, 100.0))
-        ->capture_default_str();
+    addList(*command, "--background-pressure", options->backgroundPressures, "p0/(rho0 c^2)");
   }
-  return {command, [options, run] { return run(*options); }};
+  return {command, [options, run] {
+            requireUsable(*options);
+            return run(*options);
+          }};
 }
 
 }  // namespace

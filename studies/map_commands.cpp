@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/command_line.hpp"
 #include "studies/commands.hpp"
+#include "studies/list_option.hpp"
 #include "studies/maps/collisions.hpp"
 #include "studies/maps/interface.hpp"
 #include "studies/maps/pairing.hpp"
@@ -43,17 +44,6 @@ Command addMap(CLI::App& stability, const char* name, const char* help, const ch
             run(*options);
             return static_cast<int>(exitOk);
           }};
-}
-
-/// Values behind one option, with commas between.
-template <class Value>
-void addList(CLI::App& command, const std::string& name, std::vector<Value>& values,
-             const char* help) {
-  command
-      .add_option_function<std::string>(
-          name, [name, &values](const std::string& text) { readList(name, text, values); }, help)
-      ->type_name("LIST")
-      ->default_str(fmt::format("{}", fmt::join(values, ",")));
 }
 
 Command addPairing(CLI::App& stability) {

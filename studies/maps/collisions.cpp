@@ -2,6 +2,7 @@
 #include "studies/maps/collisions.hpp"
 
 #include "particles/kernels.hpp"
+#include "studies/lists.hpp"
 #include "studies/maps/grid.hpp"
 #include "studies/maps/map_cases.hpp"
 

@@ -2,6 +2,7 @@
 #include "studies/maps/interface.hpp"
 
 #include "particles/particle_file.hpp"
+#include "studies/lists.hpp"
 #include "studies/maps/grid.hpp"
 #include "studies/maps/map_cases.hpp"
 

@@ -5,6 +5,7 @@
 #include "particles/errors.hpp"
 #include "particles/kernels.hpp"
 #include "particles/particle_file.hpp"
+#include "studies/lists.hpp"
 #include "studies/maps/grid.hpp"
 #include "studies/maps/map_cases.hpp"
 #include "studies/maps/onset.hpp"

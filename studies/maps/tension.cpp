@@ -2,6 +2,7 @@
 #include "studies/maps/tension.hpp"
 
 #include "particles/kernels.hpp"
+#include "studies/lists.hpp"
 #include "studies/maps/grid.hpp"
 #include "studies/maps/map_cases.hpp"
 #include "studies/maps/onset.hpp"
@@ -44,19 +45,20 @@ GridPlan planOf(const TensionOptions& options) {
   return plan;
 }
 
-/// At each smoothing length the highest pressure at which particles clump.
+/// At each smoothing length the highest pressure at which particles pair; a lattice can be gone
+/// before (psi6).
 void addRemarks(const Grid& grid, Map& map) {
   for (std::size_t c = 0; c < grid.plan.columns.values.size(); ++c) {
-    std::string clumps = "nowhere", keeps = "nowhere";
+    std::string pairs = "nowhere", keeps = "nowhere";
     for (std::size_t r = 0; r < grid.plan.rows.values.size(); ++r) {  // falling pressures
       const double share = grid.at(r, c, lastFigure("f.5"), OfSeeds::mean);
-      const bool isClumped = std::isnan(share) || share > pairedShare;
-      if (isClumped && clumps == "nowhere") clumps = grid.plan.rows.values[r].text;
-      if (!isClumped && clumps == "nowhere") keeps = grid.plan.rows.values[r].text;
+      const bool isPaired = std::isnan(share) || share > pairedShare;
+      if (isPaired && pairs == "nowhere") pairs = grid.plan.rows.values[r].text;
+      if (!isPaired && pairs == "nowhere") keeps = grid.plan.rows.values[r].text;
     }
-    map.remarks.push_back(fmt::format("h/d_ref {}: keeps its order down to {} {}, clumps from {}",
+    map.remarks.push_back(fmt::format("h/d_ref {}: no pairs down to {} {}, pairs from {}",
                                       grid.plan.columns.values[c].text, grid.plan.rows.name, keeps,
-                                      clumps));
+                                      pairs));
   }
 }
 

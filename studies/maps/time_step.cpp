@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "studies/maps/time_step.hpp"
 
+#include "studies/lists.hpp"
 #include "studies/maps/bisection.hpp"
 #include "studies/maps/map_cases.hpp"
 #include "studies/run_store.hpp"

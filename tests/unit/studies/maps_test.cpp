@@ -145,17 +145,6 @@ TEST(InterfaceGap, IsTheMedianOverColumns) {
   EXPECT_TRUE(std::isnan(interfaceGap(scene)));
 }
 
-TEST(MapOptions, ListsAreRead) {
-  std::vector<double> numbers{7};
-  readList("--alpha", "-1,2.5,3e-2", numbers);
-  EXPECT_EQ(numbers, (std::vector<double>{-1, 2.5, 3e-2}));
-  std::vector<std::string> words;
-  readList("--scenes", "box,tank", words);
-  EXPECT_EQ(words, (std::vector<std::string>{"box", "tank"}));
-  for (const char* text : {"", ",", "1,", "1,,2", "x", "1x", "1e999"})
-    EXPECT_THROW(readList("--alpha", text, numbers), InputError) << text;
-}
-
 // Nothing runs before options have been read: these would need programs, and leave a folder.
 TEST(MapOptions, WhatCannotBeUsedIsRefusedInOneLine) {
   const auto refusal = [](auto options, auto run) -> std::string {
