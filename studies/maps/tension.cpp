@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace plenum::study {
 
@@ -45,20 +46,23 @@ GridPlan planOf(const TensionOptions& options) {
   return plan;
 }
 
-/// At each smoothing length the highest pressure at which particles pair; a lattice can be gone
+/// At each smoothing length the highest pressure at which particles pair. A lattice can be gone
 /// before (psi6).
 void addRemarks(const Grid& grid, Map& map) {
-  for (std::size_t c = 0; c < grid.plan.columns.values.size(); ++c) {
-    std::string pairs = "nowhere", keeps = "nowhere";
-    for (std::size_t r = 0; r < grid.plan.rows.values.size(); ++r) {  // falling pressures
+  const GridPlan& plan = grid.plan;
+  for (std::size_t c = 0; c < plan.columns.values.size(); ++c) {
+    std::optional<std::size_t> first;  // row: pressures fall
+    for (std::size_t r = 0; r < plan.rows.values.size() && !first; ++r) {
       const double share = grid.at(r, c, lastFigure("f.5"), OfSeeds::mean);
-      const bool isPaired = std::isnan(share) || share > pairedShare;
-      if (isPaired && pairs == "nowhere") pairs = grid.plan.rows.values[r].text;
-      if (!isPaired && pairs == "nowhere") keeps = grid.plan.rows.values[r].text;
+      if (std::isnan(share) || share > pairedShare) first = r;
     }
-    map.remarks.push_back(fmt::format("h/d_ref {}: no pairs down to {} {}, pairs from {}",
-                                      grid.plan.columns.values[c].text, grid.plan.rows.name, keeps,
-                                      pairs));
+    std::string remark = fmt::format("h/d_ref {}: ", plan.columns.values[c].text);
+    if (!first || *first > 0)
+      remark += fmt::format("no pairs down to {} {}", plan.rows.name,
+                            plan.rows.values[first.value_or(plan.rows.values.size()) - 1].text);
+    if (first && *first > 0) remark += ", ";
+    if (first) remark += fmt::format("pairs from {}", plan.rows.values[*first].text);
+    map.remarks.push_back(remark);
   }
 }
 
