@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace plenum::study {
@@ -28,25 +29,43 @@ std::string labelOf(const Study& study, const StudyRow& row) {
   return fmt::format("{}: {}, {:.3g} s", row.name, study.printed(*row.error), row.cost());
 }
 
+/// Where a logarithmic axis shows runs without any error, as those are that do what the case does:
+/// below the least of the others. None if there are no such runs.
+std::optional<double> placeOfZero(const Study& study) {
+  double least = std::numeric_limits<double>::infinity();
+  bool hasZero = false;
+  for (const std::size_t k : study.measuredRows()) {
+    const double error = *study.rows[k].error;
+    hasZero |= error == 0;
+    if (error > 0) least = std::min(least, error);
+  }
+  if (!hasZero) return std::nullopt;
+  return std::isfinite(least) ? least / 3 : 1;
+}
+
 /// Error against cost, a series for each value of the first axis, and the Pareto front.
 Chart costChart(const Study& study) {
+  const std::optional<double> zero = placeOfZero(study);
   Chart chart{study.settings.title + ": error against cost",
               {"CPU time of the steps [s]", true, {}, {}},
-              {axisLabel(study), true, {}, {}},
+              {axisLabel(study), true, {}, {}, zero},
               {}};
+  const auto height = [&](const StudyRow& row) {
+    return *row.error > 0 ? *row.error : zero.value_or(0);
+  };
   std::map<std::size_t, Series> series;
   for (const std::size_t k : study.measuredRows()) {
     const StudyRow& row = study.rows[k];
     const std::size_t first = row.at.empty() ? 0 : row.at[0];
     Series& one = series[first];
     one.name = study.axes.empty() ? "as the case" : study.axes[0].textOf(first);
-    one.points.push_back({row.cost(), *row.error, labelOf(study, row)});
+    one.points.push_back({row.cost(), height(row), labelOf(study, row)});
   }
   for (auto& [value, one] : series) chart.series.push_back(std::move(one));
   Series front{"Pareto front", SeriesStyle::line, {}, true};  // numbered as frontLines does
   for (const std::size_t k : study.front())
     front.points.push_back(
-        {study.rows[k].cost(), *study.rows[k].error, labelOf(study, study.rows[k])});
+        {study.rows[k].cost(), height(study.rows[k]), labelOf(study, study.rows[k])});
   chart.series.push_back(std::move(front));
   return chart;
 }

@@ -15,19 +15,12 @@ namespace plenum::study {
 
 namespace {
 
-/// The largest of 1, 2 and 5 times a power of ten that is not above `value`.
-double roundedDown(double value) {
-  const double power = std::pow(10, std::floor(std::log10(value)));
-  for (const double factor : {5.0, 2.0})
-    if (factor * power <= value) return factor * power;
-  return power;
-}
-
 /// A round error in the middle of the front, that it reaches.
 double errorInTheMiddle(const Study& study, const std::vector<std::size_t>& front) {
   const double best = *study.rows[front.back()].error;
-  const double middle = roundedDown(*study.rows[front[front.size() / 2]].error);
-  return middle >= best ? middle : *study.rows[front[front.size() / 2]].error;
+  const double middle = *study.rows[front[front.size() / 2]].error;
+  const double rounded = middle > 0 ? roundedDown(middle) : 0;
+  return rounded >= best ? rounded : middle;
 }
 
 /// What paying more than for the place `at` of the front buys: the first row that costs twice as
@@ -125,8 +118,9 @@ std::vector<std::string> adviceOf(const Study& study, std::vector<double> errors
     }
     const StudyRow& row = study.rows[*found];
     sentences.push_back(
-        fmt::format("The cheapest setting within {}: {}: {}, {:.3g} s; {}.", study.printed(error),
-                    row.name, study.printed(*row.error), row.cost(),
+        fmt::format("The cheapest setting {}: {}: {}, {:.3g} s; {}.",
+                    error > 0 ? "within " + study.printed(error) : "without any error", row.name,
+                    study.printed(*row.error), row.cost(),
                     whatMoreBuys(study, front, static_cast<std::size_t>(found - front.begin()))));
   }
   return sentences;

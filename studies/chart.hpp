@@ -28,6 +28,7 @@ struct Axis {
   std::string label;
   bool isLogarithmic = false;
   std::optional<double> lowest, highest;
+  std::optional<double> zero = {};  ///< of a logarithmic axis: this value is labelled 0
 };
 
 struct Chart {

@@ -2,6 +2,7 @@
 #include "studies/chart_script.hpp"
 
 #include "studies/gnuplot.hpp"
+#include "studies/numbers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -39,19 +40,35 @@ std::string rangeOf(const char* axis, const Axis& of, std::vector<double> values
   return fmt::format("set {}range [{}:{}]\n", axis, end(lowest), end(highest));
 }
 
-/// Values 1, 2, 5 times powers of ten that lie among those of the points.
-std::string ticsAmong(std::vector<double> values) {
-  std::erase_if(values, [](double v) { return !(v > 0) || !std::isfinite(v); });
-  if (values.empty()) return "1";
-  const auto [lowest, highest] = std::ranges::minmax(values);
-  std::vector<std::string> tics;
+/// Round values of a logarithmic axis among those of the points: powers of ten, 1, 2, 5 times
+/// those, or equal steps where the points lie close together.
+std::vector<double> ticsBetween(double lowest, double highest) {
+  std::vector<double> tics;
+  if (highest < 1.02 * lowest) return {lowest};
+  if (highest < 8 * lowest) {
+    const double step = roundedDown((highest - lowest) / 3);
+    for (double k = std::ceil(lowest / step); k * step <= highest; ++k) tics.push_back(k * step);
+    return tics;
+  }
   const bool isWide = highest / lowest > 300;
   for (double power = std::pow(10, std::floor(std::log10(lowest))); power <= 10 * highest;
        power *= 10)
     for (const double factor : {1.0, 2.0, 5.0})
       if ((!isWide || factor == 1) && power * factor >= lowest / 2.6 &&
           power * factor <= highest * 2.6)
-        tics.push_back(fmt::format("{:.6g}", power * factor));
+        tics.push_back(power * factor);
+  return tics;
+}
+
+std::string ticsAmong(std::vector<double> values, std::optional<double> zero) {
+  std::erase_if(values, [&](double v) { return !(v > 0) || !std::isfinite(v) || v == zero; });
+  std::vector<std::string> tics;
+  if (zero) tics.push_back(fmt::format("'0' {:.6g}", *zero));
+  if (!values.empty()) {
+    const auto [lowest, highest] = std::ranges::minmax(values);
+    for (const double tic : ticsBetween(lowest, highest))
+      if (!zero || tic > 1.5 * *zero) tics.push_back(fmt::format("{:.3g}", tic));
+  }
   return fmt::format("{}", fmt::join(tics, ", "));
 }
 
@@ -59,7 +76,7 @@ std::string axisScript(const char* axis, const Axis& of, const std::vector<doubl
   std::string text = fmt::format("set {}label {} noenhanced\n", axis, quotedForGnuplot(of.label));
   if (of.isLogarithmic)
     text += fmt::format("set logscale {0}\nset format {0} '%g'\nset {0}tics ({1})\n", axis,
-                        ticsAmong(values));
+                        ticsAmong(values, of.zero));
   return text + rangeOf(axis, of, values);
 }
 

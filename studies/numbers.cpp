@@ -2,6 +2,7 @@
 #include "studies/numbers.hpp"
 
 #include <charconv>
+#include <cmath>
 
 namespace plenum::study {
 
@@ -10,6 +11,13 @@ std::optional<double> numberIn(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+double roundedDown(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= value) return factor * power;
+  return power;
 }
 
 }  // namespace plenum::study

@@ -125,7 +125,8 @@ void runPairing(PairingOptions options) {
   const Figure least = isPlane ? lastFigure("nn_min") : figureIn3D(&SpacingMeasures::minNearest);
   Map map;
   map.name =
-      fmt::format("pairing_{}d{}", options.dimension, options.start == "noise" ? "_noise" : "");
+      fmt::format("pairing_{}d{}{}", options.dimension, options.start == "noise" ? "_noise" : "",
+                  options.neighbours.empty() ? "" : "_neighbours");
   const std::string from =
       options.start == "noise" ? "from a lattice with noise" : "from a random start";
   const std::string unit = isPlane ? "d_ref" : "(V/N)^(1/3)";

@@ -45,6 +45,14 @@ TEST(Advice, ChoosesARoundErrorThatIsReached) {
   EXPECT_THAT(adviceOf(someStudy(), {}).at(0), HasSubstr("within 1 %"));
 }
 
+// Runs that do what the case does, where the case itself is the measure.
+TEST(Advice, KnowsRunsWithoutError) {
+  Study study = someStudy();
+  study.rows[0].error = 0;
+  EXPECT_THAT(adviceOf(study, {}).at(0), HasSubstr("without any error: convex, h = 1 d_ref: 0 %"));
+  EXPECT_THAT(adviceOf(study, {0.5}).at(0), HasSubstr("within 0.5 %: convex, h = 1 d_ref: 0 %"));
+}
+
 TEST(Advice, IsNoneWhereAllFailed) {
   Study study = someStudy();
   for (StudyRow& row : study.rows) row.error.reset();

@@ -39,6 +39,29 @@ TEST(Charts, ShowLabelsWithoutScripts) {
   EXPECT_THAT(svg, Not(HasSubstr("onmousemove")));
 }
 
+/// The labels on the horizontal axis from `lowest` to `highest`.
+std::string svgWithCosts(double lowest, double highest) {
+  Chart chart = someChart();
+  chart.series = {{"", SeriesStyle::points, {{lowest, 1, ""}, {highest, 2, ""}}, false}};
+  return svgOf(chart, "one");
+}
+
+TEST(Charts, HaveRoundNumbersOnTheirAxes) {
+  for (const char* number : {">0.1<", ">0.2<", ">0.5<", ">1<"})
+    EXPECT_THAT(svgWithCosts(0.08, 1.2), HasSubstr(number));
+  for (const char* number : {">1.2<", ">1.4<", ">1.6<"})
+    EXPECT_THAT(svgWithCosts(1.05, 1.7), HasSubstr(number));
+  EXPECT_THAT(svgWithCosts(0.54321, 0.54321), HasSubstr(">0.543<"));
+}
+
+TEST(Charts, NameThePlaceOfZeroOnALogarithmicAxis) {
+  Chart chart = someChart();
+  chart.y.zero = 0.1;
+  chart.series[0].points.push_back({2, 0.1, ""});
+  EXPECT_THAT(svgOf(chart, "one"), HasSubstr(">0<"));
+  EXPECT_THAT(svgOf(someChart(), "one"), Not(HasSubstr(">0<")));
+}
+
 TEST(Charts, OfOnePageHaveNoNameInCommon) {
   EXPECT_THAT(svgOf(someChart(), "one"), HasSubstr("id=\"one_"));
   EXPECT_THAT(svgOf(someChart(), "two"), Not(HasSubstr("id=\"one_")));
