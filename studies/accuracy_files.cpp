@@ -84,6 +84,22 @@ std::optional<std::size_t> axisOf(const Study& study, const std::string& key) {
   return std::nullopt;
 }
 
+/// What a row has along an axis: none where that is what the case has.
+std::optional<std::string> valueOf(const Study& study, const StudyRow& row, std::size_t axis) {
+  const std::string& value = study.axes[axis].values[row.at[axis]][0];
+  return value == "case" ? std::nullopt : std::optional(value);
+}
+
+double lengthOf(const Study& study, const StudyRow& row, std::size_t axis) {
+  const std::optional<std::string> value = valueOf(study, row, axis);
+  return value ? numberIn(*value).value() : study.settings.solverOrDefaults().smoothingLength;
+}
+
+std::string kernelOf(const Study& study, const StudyRow& row, std::optional<std::size_t> axis) {
+  const std::string ofCase = study.settings.solverOrDefaults().kernel;
+  return axis ? valueOf(study, row, *axis).value_or(ofCase) : ofCase;
+}
+
 /// The points of one kernel at each smoothing length, and the closed form through them.
 std::vector<Series> columnSeries(const Study& study, const HydrostaticColumn& column,
                                  const std::string& kernel, const std::vector<std::size_t>& rows,
@@ -93,7 +109,7 @@ std::vector<Series> columnSeries(const Study& study, const HydrostaticColumn& co
   double lowest = 10, highest = 0;
   for (const std::size_t k : rows) {
     const StudyRow& row = study.rows[k];
-    const double h = numberIn(study.axes[lengthAxis].textOf(row.at[lengthAxis])).value();
+    const double h = lengthOf(study, row, lengthAxis);
     measured.points.push_back({h, *row.error, labelOf(study, row)});
     lowest = std::min(lowest, h);
     highest = std::max(highest, h);
@@ -112,9 +128,7 @@ std::optional<Chart> columnChart(const Study& study) {
   const auto kernelAxis = axisOf(study, "solver.kernel");
   std::map<std::string, std::vector<std::size_t>> rowsOf;
   for (const std::size_t k : study.measuredRows())
-    rowsOf[kernelAxis ? study.axes[*kernelAxis].textOf(study.rows[k].at[*kernelAxis])
-                      : study.settings.solverOrDefaults().kernel]
-        .push_back(k);
+    rowsOf[kernelOf(study, study.rows[k], kernelAxis)].push_back(k);
   Chart chart{study.settings.title + ": measured (points) and in closed form (lines)",
               {"h/d_ref", false, {}, {}},
               {axisLabel(study), true, {}, {}},

@@ -188,16 +188,27 @@ std::vector<Combination> gridOf(const std::vector<Variation>& axes, const RunReq
   }
 }
 
+std::string Variation::textOf(std::size_t value) const {
+  const std::string& first = values[value][0];
+  const auto isNamedSo = [&](const auto& tied) { return tied[0] == first; };
+  if (std::ranges::count_if(values, isNamedSo) == 1) return first;
+  return fmt::format("{}", fmt::join(values[value], ":"));
+}
+
 std::string describe(const std::vector<Variation>& axes, const std::vector<std::size_t>& at) {
   if (axes.empty()) return "as the case has it";
   std::vector<std::string> parts;
   for (std::size_t a = 0; a < axes.size(); ++a) {
-    const std::string& value = axes[a].textOf(at[a]);
-    const bool isPlain = numberIn(value) || value == "case" || value.starts_with('{');
-    parts.push_back(!isPlain ? value
-                    : axes[a].name == "h" || axes[a].name == "smoothing_length"
-                        ? fmt::format("h = {} d_ref", value)
-                        : fmt::format("{} {}", axes[a].name, value));
+    const std::string value = axes[a].textOf(at[a]);
+    const std::string& name = axes[a].name;
+    if (value == "case")
+      parts.push_back(name + " as in the case");
+    else if (numberIn(value) && (name == "h" || name == "smoothing_length"))
+      parts.push_back(fmt::format("h = {} d_ref", value));
+    else if (numberIn(value) || value.starts_with('{'))
+      parts.push_back(fmt::format("{} {}", name, value));
+    else
+      parts.push_back(value);
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

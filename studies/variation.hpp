@@ -26,8 +26,9 @@ struct Variation {
   /// cannot have, with the nearest one.
   static Variation parse(const std::string& text, const std::filesystem::path& caseFile);
 
-  /// Of tied keys the first one's.
-  const std::string& textOf(std::size_t value) const { return values[value][0]; }
+  /// For people. Of tied keys the first one's value, or all, "random:{}", where that would be
+  /// another value's name, too.
+  std::string textOf(std::size_t value) const;
 };
 
 /// A point of the grid.

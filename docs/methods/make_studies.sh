@@ -19,7 +19,17 @@ collisions='collisions=case,{restitution=0.01,range=0.85}'
 "$study" accuracy "$cases/taylor_green.toml" -o "$kept/taylor_green" -q --within 0.02 \
   --vary spacing=0.04,0.02,0.01 --vary h=1.5,2,2.5
 
-for name in gas_box shaft sod taylor_green; do
+# What an even start buys: lattices, random places, and those relaxed; with shifting and all but
+# without.
+"$study" accuracy "$cases/taylor_green.toml" -o "$kept/starts" -q --within 0.02 \
+  --vary 'fluid[0].lattice:relax=square:case,hexagonal:case,random:case,random:{}' \
+  --vary 'shifting=case,{coefficient=1e-9}' --vary spacing=0.04,0.02,0.01
+
+# What a second thread buys.
+"$study" accuracy "$cases/dam_break_3d.toml" -o "$kept/threads" -q --set spacing=0.016 \
+  --vary threads=1,2 --repeats 3
+
+for name in gas_box shaft sod taylor_green starts threads; do
   cp "$kept/$name/results.csv" "$folder/methods_$name.csv"
 done
 for name in sod taylor_green; do cp "$kept/$name/error_cost.png" "$folder/methods_$name.png"; done

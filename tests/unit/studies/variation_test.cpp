@@ -53,6 +53,13 @@ TEST(Variation, SplitsOutsideOfBracketsOnly) {
   EXPECT_EQ(axis.textOf(2), "{range=0.5,pairs=\"a,b:c\"}");
 }
 
+TEST(Variation, NamesTiedValuesByAllWhereTheFirstIsNotEnough) {
+  const Variation axis = Variation::parse("kernel:h=convex:1.5,convex:2,wendland_c2:2", tank);
+  EXPECT_EQ(axis.textOf(0), "convex:1.5");
+  EXPECT_EQ(axis.textOf(1), "convex:2");
+  EXPECT_EQ(axis.textOf(2), "wendland_c2");
+}
+
 TEST(Variation, TiesKeys) {
   EXPECT_THAT(settingsOf({"spacing:solver.time_step=0.02:4e-4,0.01:1e-4"}, 1),
               ElementsAre("spacing=0.01", "solver.time_step=1e-4"));
