@@ -151,7 +151,11 @@ set key outside right top
 ChartSize sizeOf(const Chart&) { return {}; }
 
 ChartSize sizeOf(const HeatMap& map) {
-  return {std::max(520, 330 + 62 * static_cast<int>(map.columns.size())),
+  std::size_t longest = 0;  // of the texts in cells, of some 8 pixels a letter
+  for (const auto& row : map.texts)
+    for (const std::string& text : row) longest = std::max(longest, text.size());
+  const int width = std::max(62, 8 * static_cast<int>(longest));
+  return {std::max(520, 330 + width * static_cast<int>(map.columns.size())),
           std::max(260, 150 + 30 * static_cast<int>(map.rows.size()))};
 }
 

@@ -50,7 +50,7 @@ GridPlan planOf(const InterfaceOptions& options) {
   plan.rows.name = "method";
   for (const std::string& name : options.methods)
     plan.rows.values.push_back(*std::ranges::find(methods(), name, &GridValue::text));
-  plan.columns.name = "ratio";
+  plan.columns.name = "density ratio";
   for (const double ratio : options.ratios) {
     const double light = heavyDensity / ratio;
     plan.columns.values.push_back(
