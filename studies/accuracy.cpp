@@ -47,9 +47,14 @@ Study runAccuracy(const AccuracyOptions& options) {
   RunStore store(options.folder / "runs", Programs::find(options.programs), options.quiet);
   study.measure = measureFor(options, study.settings, store);
   const std::vector<RunOutcome> outcomes = store.run(requests, options.jobs, "accuracy");
-  for (std::size_t k = 0; k < grid.size(); ++k)
+  for (std::size_t k = 0; k < grid.size(); ++k) {
+    std::vector<RunOutcome> repeated;
+    for (std::size_t at = k; at < outcomes.size(); at += grid.size())
+      repeated.push_back(outcomes[at]);
+    const RunOutcome& least = study.leastOf(repeated);
     study.rows.push_back(
-        {grid[k].at, describe(study.axes, grid[k].at), outcomes[k], study.measure.of(outcomes[k])});
+        {grid[k].at, describe(study.axes, grid[k].at), least, study.measure.of(least)});
+  }
   study.unit = unitOf(study);
   return study;
 }
@@ -80,8 +85,8 @@ std::string tableOf(const Study& study) {
       text += fmt::format("failed: {}\n", row.outcome.failure);
     else
       text += fmt::format("{:>12}  {:>9.3g}  {:>8.1f}  {:>11.1f}{}\n",
-                          row.error ? fmt::format("{:.4g}", *row.error) : "no value", row.cost(),
-                          row.outcome.cost.peakBytes / 1048576,
+                          row.error ? fmt::format("{:.4g}", *row.error) : "no value",
+                          study.costOf(row), row.outcome.cost.peakBytes / 1048576,
                           1e-6 * row.outcome.cost.interactionsPerSecond,
                           std::ranges::count(front, k) > 0 ? "  front" : "");
   }

@@ -24,7 +24,7 @@ struct AccuracyOptions {
   std::filesystem::path folder;
   std::filesystem::path programs;
   int jobs = 1;
-  int repeats = 1;  ///< of each run; the least CPU time counts
+  int repeats = 1;  ///< of each run; the one that takes least counts
   bool quiet = false;
 };
 

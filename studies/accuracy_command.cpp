@@ -59,7 +59,7 @@ An interrupted study goes on where it stopped: begin it again with the same fold
       ->check(CLI::Range(1, 1024));
   command
       ->add_option("--repeats", options.repeats,
-                   "of each run; the least CPU time counts, which a busy machine disturbs least")
+                   "of each run; the least time counts, which a busy machine disturbs least")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   return {command, [line] { return run(*line); }};

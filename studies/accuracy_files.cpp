@@ -25,8 +25,13 @@ std::string axisLabel(const Study& study) {
                             : fmt::format("{} [{}]", study.measure.name(), study.unit);
 }
 
+std::string costLabel(const Study& study) {
+  return study.isTimedByClock() ? "time of the steps by the clock [s]"
+                                : "CPU time of the steps [s]";
+}
+
 std::string labelOf(const Study& study, const StudyRow& row) {
-  return fmt::format("{}: {}, {:.3g} s", row.name, study.printed(*row.error), row.cost());
+  return fmt::format("{}: {}, {:.3g} s", row.name, study.printed(*row.error), study.costOf(row));
 }
 
 /// Where a logarithmic axis shows runs without any error, as those are that do what the case does:
@@ -47,7 +52,7 @@ std::optional<double> placeOfZero(const Study& study) {
 Chart costChart(const Study& study) {
   const std::optional<double> zero = placeOfZero(study);
   Chart chart{study.settings.title + ": error against cost",
-              {"CPU time of the steps [s]", true, {}, {}},
+              {costLabel(study), true, {}, {}},
               {axisLabel(study), true, {}, {}, zero},
               {}};
   const auto height = [&](const StudyRow& row) {
@@ -59,13 +64,13 @@ Chart costChart(const Study& study) {
     const std::size_t first = row.at.empty() ? 0 : row.at[0];
     Series& one = series[first];
     one.name = study.axes.empty() ? "as the case" : study.axes[0].textOf(first);
-    one.points.push_back({row.cost(), height(row), labelOf(study, row)});
+    one.points.push_back({study.costOf(row), height(row), labelOf(study, row)});
   }
   for (auto& [value, one] : series) chart.series.push_back(std::move(one));
   Series front{"Pareto front", SeriesStyle::line, {}, true};  // numbered as frontLines does
   for (const std::size_t k : study.front())
     front.points.push_back(
-        {study.rows[k].cost(), height(study.rows[k]), labelOf(study, study.rows[k])});
+        {study.costOf(study.rows[k]), height(study.rows[k]), labelOf(study, study.rows[k])});
   chart.series.push_back(std::move(front));
   return chart;
 }
@@ -143,7 +148,7 @@ PageTable pageTable(const Study& study) {
   PageTable table;
   for (const Variation& axis : study.axes) table.columns.push_back(axis.name);
   for (const std::string& name :
-       {axisLabel(study), std::string("CPU time of the steps [s]"), std::string("all CPU time [s]"),
+       {axisLabel(study), costLabel(study), std::string("all CPU time [s]"),
         std::string("peak memory [MiB]"), std::string("million interactions a second"),
         std::string("steps"), std::string("particles"), std::string("remark")})
     table.columns.push_back(name);
@@ -155,7 +160,7 @@ PageTable pageTable(const Study& study) {
     for (std::size_t a = 0; a < study.axes.size(); ++a)
       cells.push_back(study.axes[a].textOf(row.at[a]));
     cells.push_back(row.error ? fmt::format("{:.4g}", *row.error) : "");
-    cells.push_back(fmt::format("{:.3g}", row.cost()));
+    cells.push_back(fmt::format("{:.3g}", study.costOf(row)));
     cells.push_back(fmt::format("{:.3g}", run.cost.cpuSeconds));
     cells.push_back(fmt::format("{:.1f}", run.cost.peakBytes / 1048576));
     cells.push_back(fmt::format("{:.1f}", 1e-6 * run.cost.interactionsPerSecond));
@@ -198,7 +203,7 @@ void writeAccuracy(const Study& study, const AccuracyOptions& options) {
   if (!study.measuredRows().empty()) add(costChart(study), "error_cost");
   if (const auto chart = columnChart(study)) add(*chart, "closed_form");
   const std::string how = fmt::format(
-      "{} runs of {} by plenum-study {}, {} at once. Costs are CPU seconds of plenum-sph in steps, "
+      "{} runs of {} by plenum-study {}, {} at once. Costs are seconds of plenum-sph in steps, "
       "without measures and files.",
       study.rows.size(), study.caseFile.filename().string(), version, options.jobs);
   const Page page{study.settings.title + ": speed against accuracy",

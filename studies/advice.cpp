@@ -30,10 +30,12 @@ std::string whatMoreBuys(const Study& study, const std::vector<std::size_t>& fro
   if (at + 1 == front.size()) return "no dearer setting of this study is more accurate";
   const StudyRow& here = study.rows[front[at]];
   std::size_t next = at + 1;
-  while (next + 1 < front.size() && study.rows[front[next]].cost() < 2 * here.cost()) ++next;
+  while (next + 1 < front.size() && study.costOf(study.rows[front[next]]) < 2 * study.costOf(here))
+    ++next;
   const StudyRow& more = study.rows[front[next]];
   return fmt::format("paying {:.2g} times as much buys {} ({}, {:.3g} s)",
-                     more.cost() / here.cost(), study.printed(*more.error), more.name, more.cost());
+                     study.costOf(more) / study.costOf(here), study.printed(*more.error), more.name,
+                     study.costOf(more));
 }
 
 /// A setting of a comparison: the value of each axis that it names.
@@ -120,7 +122,7 @@ std::vector<std::string> adviceOf(const Study& study, std::vector<double> errors
     sentences.push_back(
         fmt::format("The cheapest setting {}: {}: {}, {:.3g} s; {}.",
                     error > 0 ? "within " + study.printed(error) : "without any error", row.name,
-                    study.printed(*row.error), row.cost(),
+                    study.printed(*row.error), study.costOf(row),
                     whatMoreBuys(study, front, static_cast<std::size_t>(found - front.begin()))));
   }
   return sentences;
@@ -135,7 +137,7 @@ std::string comparisonOf(const Study& study, const std::string& one, const std::
     const std::optional<double> cost =
         costAtError(study.pointsOf(curveOf(study, b, row)), *row.error);
     if (!cost) continue;
-    logSum += std::log(*cost / row.cost());
+    logSum += std::log(*cost / study.costOf(row));
     errorSum += *row.error;
     ++n;
   }

@@ -109,9 +109,10 @@ class Simplifier {
       const auto file = options_.folder / "less.toml";
       writeTextFile(file, without.root.printedFile(options_.caseFile.filename().string() +
                                                    " without " + without.what));
-      const RunOutcome outcome = store_.leastOf({file, {}, 1, false, 0}, nTimings, without.what);
+      const RunOutcome outcome =
+          minimal.tried.leastOf(store_.repeated({file, {}, 1, false, 0}, nTimings, without.what));
       tried.error = measure.of(outcome);
-      tried.cost = outcome.cost.stepCpuSeconds;
+      tried.cost = minimal.tried.costOf(outcome);
       tried.failure = outcome.failure;
     } catch (const InputError& error) {
       tried.failure = findingsOf(error).front().text();
@@ -131,17 +132,18 @@ class Simplifier {
 /// apart.
 std::size_t cheapestOf(Minimal& minimal, const std::vector<std::size_t>& tried,
                        const std::vector<Combination>& grid, double error, RunStore& store) {
-  std::vector<StudyRow>& rows = minimal.tried.rows;
+  Study& study = minimal.tried;
+  std::vector<StudyRow>& rows = study.rows;
   const auto isWithin = [&](std::size_t r) { return rows[r].error && *rows[r].error <= error; };
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t r = 0; r < rows.size(); ++r)
-    if (isWithin(r)) least = std::min(least, rows[r].cost());
+    if (isWithin(r)) least = std::min(least, study.costOf(rows[r]));
   std::size_t found = rows.size();
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    if (!isWithin(r) || rows[r].cost() > 1.5 * least) continue;
-    rows[r].outcome = store.leastOf(grid[tried[r]].request, nTimings, rows[r].name);
-    minimal.searchCost += (nTimings - 1) * rows[r].cost();
-    if (found == rows.size() || rows[r].cost() < rows[found].cost()) found = r;
+    if (!isWithin(r) || study.costOf(rows[r]) > 1.5 * least) continue;
+    rows[r].outcome = study.leastOf(store.repeated(grid[tried[r]].request, nTimings, rows[r].name));
+    minimal.searchCost += (nTimings - 1) * study.costOf(rows[r]);
+    if (found == rows.size() || study.costOf(rows[r]) < study.costOf(rows[found])) found = r;
   }
   return found;
 }
@@ -170,12 +172,12 @@ Minimal findMinimal(const AccuracyOptions& options, double error) {
     study.rows.push_back({grid[k].at, name, outcome, study.measure.of(outcome)});
     const StudyRow& row = study.rows.back();
     study.unit = unitOf(study);
-    minimal.searchCost += row.cost();
+    minimal.searchCost += study.costOf(row);
     if (!options.quiet)
       std::cerr << fmt::format(
           "{:3} of at most {}: {}: {}\n", study.rows.size(), grid.size(), name,
           row.error ? study.printed(*row.error) : "failed: " + row.outcome.failure);
-    return row.error ? std::optional(CostAndError{row.cost(), *row.error}) : std::nullopt;
+    return row.error ? std::optional(CostAndError{study.costOf(row), *row.error}) : std::nullopt;
   };
   const Search search = findCheapest(candidatesOf(study.axes, grid), error, run);
   if (!search.found) return minimal;
@@ -185,7 +187,7 @@ Minimal findMinimal(const AccuracyOptions& options, double error) {
   minimal.root = found;
   makeFileNamesAbsolute(found, options.caseFile.parent_path(), *minimal.root);
   minimal.error = row.error;
-  minimal.cost = row.cost();
+  minimal.cost = study.costOf(row);
   Simplifier(options, store, error)(minimal);
   return minimal;
 }
@@ -201,8 +203,8 @@ std::vector<std::string> sentencesOf(const Minimal& minimal, double error) {
   const StudyRow& row = study.rows[*minimal.found];
   std::vector<std::string> sentences{fmt::format(
       "The cheapest setting within {}: {}: {}, {:.3g} s. {} of {} settings were run, {:.3g} s.",
-      study.printed(error), row.name, study.printed(*row.error), row.cost(), study.rows.size(),
-      minimal.nOfGrid, minimal.searchCost)};
+      study.printed(error), row.name, study.printed(*row.error), study.costOf(row),
+      study.rows.size(), minimal.nOfGrid, minimal.searchCost)};
   for (const TriedWithout& tried : minimal.without)
     sentences.push_back(tried.error
                             ? fmt::format("Without {}: {}, {:.3g} s: {}.", tried.what,

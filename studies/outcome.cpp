@@ -59,6 +59,7 @@ Json jsonOf(const RunCost& cost) {
   return {{"cpu_seconds", cost.cpuSeconds},
           {"step_cpu_seconds", cost.stepCpuSeconds},
           {"wall_seconds", cost.wallSeconds},
+          {"step_wall_seconds", cost.stepWallSeconds},
           {"instructions", orNull(cost.instructions)},
           {"peak_bytes", cost.peakBytes},
           {"updates_per_second", cost.updatesPerSecond},
@@ -70,6 +71,7 @@ RunCost costIn(const Json& json) {
   cost.cpuSeconds = json.at("cpu_seconds");
   cost.stepCpuSeconds = json.at("step_cpu_seconds");
   cost.wallSeconds = json.at("wall_seconds");
+  cost.stepWallSeconds = json.at("step_wall_seconds");
   cost.instructions = numberIn(json, "instructions");
   cost.peakBytes = json.at("peak_bytes");
   cost.updatesPerSecond = json.at("updates_per_second");
@@ -115,8 +117,10 @@ void readResults(const std::filesystem::path& folder, RunOutcome& outcome) {
   double all = 0;
   const Json activities = summary.value("activity_seconds", Json::object());
   for (const auto& [name, seconds] : activities.items()) all += seconds.get<double>();
-  if (all > 0)
-    outcome.cost.stepCpuSeconds = outcome.cost.cpuSeconds * activities.value("stepping", 0.0) / all;
+  if (all <= 0) return;
+  const double share = activities.value("stepping", 0.0) / all;
+  outcome.cost.stepCpuSeconds = share * outcome.cost.cpuSeconds;
+  outcome.cost.stepWallSeconds = share * outcome.cost.wallSeconds;
 }
 
 void keepOutcome(const RunOutcome& outcome) {

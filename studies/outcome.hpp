@@ -20,6 +20,7 @@ struct RunCost {
   double cpuSeconds = 0;               ///< of all threads
   double stepCpuSeconds = 0;           ///< of them, in steps: without measures and files
   double wallSeconds = 0;              ///< by the clock on the wall
+  double stepWallSeconds = 0;          ///< of them, in steps
   std::optional<double> instructions;  ///< where the machine counts them
   double peakBytes = 0;                ///< of memory
   double updatesPerSecond = 0;         ///< fluid particles moved by one step

@@ -128,7 +128,10 @@ RunOutcome RunStore::make(const RunRequest& request, const fs::path& folder) con
   if (end.isDone()) {
     end = runProcess({programs_.sph, "run", particles, "-q", "--anew", "-j",
                       std::to_string(request.threads), "-o", folder});
-    outcome.cost = {end.cpuSeconds, 0, end.wallSeconds, end.instructions, end.peakBytes, 0, 0};
+    outcome.cost.cpuSeconds = end.cpuSeconds;
+    outcome.cost.wallSeconds = end.wallSeconds;
+    outcome.cost.instructions = end.instructions;
+    outcome.cost.peakBytes = end.peakBytes;
     readResults(folder, outcome);
   }
   if (!end.isDone()) {
@@ -177,12 +180,11 @@ std::vector<RunOutcome> RunStore::run(const std::vector<RunRequest>& requests, i
   return all;
 }
 
-RunOutcome RunStore::leastOf(RunRequest request, int nTimes, const std::string& label) {
+std::vector<RunOutcome> RunStore::repeated(RunRequest request, int nTimes,
+                                           const std::string& label) {
   std::vector<RunRequest> requests;
   for (request.repeat = 0; request.repeat < nTimes; ++request.repeat) requests.push_back(request);
-  const std::vector<RunOutcome> outcomes = run(requests, 1, label);
-  return *std::ranges::min_element(
-      outcomes, {}, [](const RunOutcome& outcome) { return outcome.cost.stepCpuSeconds; });
+  return run(requests, 1, label);
 }
 
 }  // namespace plenum::study

@@ -35,9 +35,8 @@ class RunStore {
   std::vector<RunOutcome> run(const std::vector<RunRequest>& requests, int jobs,
                               const std::string& label);
 
-  /// One request, `nTimes` times, one after the other: the outcome of the run that took the least
-  /// CPU time. Other programs can only make it take longer.
-  RunOutcome leastOf(RunRequest request, int nTimes, const std::string& label);
+  /// One request, `nTimes` times, one after the other.
+  std::vector<RunOutcome> repeated(RunRequest request, int nTimes, const std::string& label);
 
   /// Throws InputError that lists every request whose case plenum-ic would refuse.
   static void requireUsable(const std::vector<RunRequest>& requests);

@@ -25,9 +25,9 @@ std::vector<std::string> headerOf(const Study& study) {
     names.push_back(csvCell(statistic.empty() ? asked.quantity : asked.quantity + ":" + statistic));
   }
   for (const char* name :
-       {"cpu in steps [s]", "cpu [s]", "wall clock [s]", "instructions", "peak memory [bytes]",
-        "updates [1/s]", "interactions [1/s]", "steps", "fluid particles", "wall particles",
-        "failure", "failed at [s]", "folder"})
+       {"cpu in steps [s]", "cpu [s]", "wall clock in steps [s]", "wall clock [s]", "instructions",
+        "peak memory [bytes]", "updates [1/s]", "interactions [1/s]", "steps", "fluid particles",
+        "wall particles", "failure", "failed at [s]", "folder"})
     names.emplace_back(name);
   return names;
 }
@@ -41,7 +41,8 @@ std::vector<std::string> cellsOf(const Study& study, const StudyRow& row) {
   for (std::size_t k = 0; k < study.settings.validations.size(); ++k)
     cells.push_back(k < run.validation.size() ? numberCell(run.validation[k].measured) : "");
   const RunCost& cost = run.cost;
-  for (const double value : {cost.stepCpuSeconds, cost.cpuSeconds, cost.wallSeconds})
+  for (const double value :
+       {cost.stepCpuSeconds, cost.cpuSeconds, cost.stepWallSeconds, cost.wallSeconds})
     cells.push_back(fmt::format("{:.4g}", value));
   cells.push_back(numberCell(cost.instructions));
   for (const double value : {cost.peakBytes, cost.updatesPerSecond, cost.interactionsPerSecond})
@@ -56,6 +57,18 @@ std::vector<std::string> cellsOf(const Study& study, const StudyRow& row) {
 
 }  // namespace
 
+bool Study::isTimedByClock() const { return std::ranges::any_of(axes, &Variation::isOfThreads); }
+
+double Study::costOf(const RunOutcome& outcome) const {
+  return isTimedByClock() ? outcome.cost.stepWallSeconds : outcome.cost.stepCpuSeconds;
+}
+
+const RunOutcome& Study::leastOf(const std::vector<RunOutcome>& outcomes) const {
+  return *std::ranges::min_element(outcomes, {}, [&](const RunOutcome& outcome) {
+    return std::pair(outcome.hasFailed(), costOf(outcome));
+  });
+}
+
 std::vector<std::size_t> Study::measuredRows() const {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -65,7 +78,7 @@ std::vector<std::size_t> Study::measuredRows() const {
 
 std::vector<CostAndError> Study::pointsOf(const std::vector<std::size_t>& which) const {
   std::vector<CostAndError> points;
-  for (const std::size_t k : which) points.push_back({rows[k].cost(), rows[k].error.value()});
+  for (const std::size_t k : which) points.push_back({costOf(rows[k]), rows[k].error.value()});
   return points;
 }
 

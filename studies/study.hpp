@@ -18,8 +18,6 @@ struct StudyRow {
   std::string name;             ///< the values, for people
   RunOutcome outcome;
   std::optional<double> error;  ///< by the study's measure; none if the run failed
-
-  double cost() const { return outcome.cost.stepCpuSeconds; }  ///< [s]
 };
 
 struct Study {
@@ -29,6 +27,15 @@ struct Study {
   ErrorMeasure measure;
   std::string unit;  ///< of the error, "" if it has none
   std::vector<StudyRow> rows;
+
+  /// Time of a run's steps [s]: CPU time, or time by the clock where the number of threads is
+  /// varied, which costs CPU time to save that.
+  double costOf(const RunOutcome& outcome) const;
+  double costOf(const StudyRow& row) const { return costOf(row.outcome); }
+  bool isTimedByClock() const;
+  /// Of outcomes of the same settings the one that costs least: other programs can only make a run
+  /// take longer. Failures come last.
+  const RunOutcome& leastOf(const std::vector<RunOutcome>& outcomes) const;
 
   /// Places of the rows that have an error, and their cost and error.
   std::vector<std::size_t> measuredRows() const;

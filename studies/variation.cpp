@@ -188,6 +188,8 @@ std::vector<Combination> gridOf(const std::vector<Variation>& axes, const RunReq
   }
 }
 
+bool Variation::isOfThreads() const { return std::ranges::count(keys, threadsKey) > 0; }
+
 std::string Variation::textOf(std::size_t value) const {
   const std::string& first = values[value][0];
   const auto isNamedSo = [&](const auto& tied) { return tied[0] == first; };

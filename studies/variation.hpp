@@ -29,6 +29,8 @@ struct Variation {
   /// For people. Of tied keys the first one's value, or all, "random:{}", where that would be
   /// another value's name, too.
   std::string textOf(std::size_t value) const;
+
+  bool isOfThreads() const;  ///< the number of threads is varied
 };
 
 /// A point of the grid.

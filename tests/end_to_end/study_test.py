@@ -4,6 +4,7 @@ and their report in a browser."""
 
 import csv
 import glob
+import json
 import os
 import re
 import shutil
@@ -59,6 +60,27 @@ class Studies(Programs):
         self.assertIn(first, [os.path.getmtime(f) for f in self.outcomes()])
         self.assertIn("100 %", err)  # of the one that was new
         self.assertNotIn("smoothing_length=1.5", err)
+
+    def test_of_repeats_the_least_counts(self):
+        command = self.accuracy("--vary", "h=1.2", "--repeats", "3")
+        self.ok(*command)
+        taken = self.rows()[0]["folder"]
+        self.assertEqual(len(self.outcomes()), 3)
+        for name in self.outcomes():  # now the one that was taken takes longest
+            with open(name) as file:
+                outcome = json.load(file)
+            outcome["cost"]["step_cpu_seconds"] = 3 if taken in name else 1
+            with open(name, "w") as file:
+                json.dump(outcome, file)
+        self.ok(*command)
+        self.assertEqual([float(row["cpu in steps [s]"]) for row in self.rows()], [1])
+
+    def test_threads_are_timed_by_the_clock(self):
+        out = self.ok(*self.accuracy("--vary", "threads=1,2"))
+        with open(self.path("study", "report.html")) as file:
+            self.assertTrue("time of the steps by the clock [s]" in file.read())
+        least = min(float(row["wall clock in steps [s]"]) for row in self.rows())
+        self.assertIn(f", {least:.3g} s;", out)
 
     def test_a_killed_study_goes_on(self):
         command = self.accuracy("--vary", "h=1.2,1.3,1.4,1.5")

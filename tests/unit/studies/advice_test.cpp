@@ -53,6 +53,25 @@ TEST(Advice, KnowsRunsWithoutError) {
   EXPECT_THAT(adviceOf(study, {0.5}).at(0), HasSubstr("within 0.5 %: convex, h = 1 d_ref: 0 %"));
 }
 
+TEST(Study, CountsTheClockWhereThreadsAreVaried) {
+  Study study = someStudy();
+  study.rows[0].outcome.cost.stepWallSeconds = 7;
+  EXPECT_EQ(study.costOf(study.rows[0]), 1);
+  study.axes.push_back({"threads", {"threads"}, {{"1"}, {"2"}}});
+  EXPECT_EQ(study.costOf(study.rows[0]), 7);
+}
+
+TEST(Study, TakesTheLeastOfRepeatsThatEnded) {
+  const auto outcomeOf = [](double seconds, const char* failure) {
+    RunOutcome outcome;
+    outcome.cost.stepCpuSeconds = seconds;
+    outcome.failure = failure;
+    return outcome;
+  };
+  const std::vector<RunOutcome> outcomes{outcomeOf(3, ""), outcomeOf(2, ""), outcomeOf(1, "nan")};
+  EXPECT_EQ(&someStudy().leastOf(outcomes), &outcomes[1]);
+}
+
 TEST(Advice, IsNoneWhereAllFailed) {
   Study study = someStudy();
   for (StudyRow& row : study.rows) row.error.reset();

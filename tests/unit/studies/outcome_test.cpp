@@ -22,6 +22,7 @@ TEST(Outcome, IsKeptWithAllItsBits) {
   outcome.steps = 12;
   outcome.fluidParticles = 5;
   outcome.cost.stepCpuSeconds = 1.0 / 9;
+  outcome.cost.stepWallSeconds = 1.0 / 11;
   outcome.folder = folder.path();
   keepOutcome(outcome);
   const auto kept = keptOutcome(folder.path());
@@ -35,6 +36,7 @@ TEST(Outcome, IsKeptWithAllItsBits) {
   EXPECT_FALSE(kept->validation.at(0).expected);
   EXPECT_EQ(kept->steps, 12);
   EXPECT_EQ(kept->cost.stepCpuSeconds, 1.0 / 9);
+  EXPECT_EQ(kept->cost.stepWallSeconds, 1.0 / 11);
   EXPECT_FALSE(kept->cost.instructions);
 }
 
@@ -56,8 +58,10 @@ TEST(Outcome, ReadsWhatARunWrote) {
     "activity_seconds": {"stepping": 1.0, "measuring": 2.0, "writing": 1.0}})");
   RunOutcome outcome;
   outcome.cost.cpuSeconds = 8;
+  outcome.cost.wallSeconds = 12;
   readResults(folder.path(), outcome);
   EXPECT_EQ(outcome.cost.stepCpuSeconds, 2);
+  EXPECT_EQ(outcome.cost.stepWallSeconds, 3);
   EXPECT_EQ(outcome.cost.interactionsPerSecond, 2000);
   EXPECT_EQ(outcome.figure("f.5"), 0.25);
   EXPECT_TRUE(std::isnan(outcome.figure("psi6")));
