@@ -25,11 +25,7 @@ collisions='collisions=case,{restitution=0.01,range=0.85}'
   --vary 'fluid[0].lattice:relax=square:case,hexagonal:case,random:case,random:{}' \
   --vary 'shifting=case,{coefficient=1e-9}' --vary spacing=0.04,0.02,0.01
 
-# What a second thread buys.
-"$study" accuracy "$cases/dam_break_3d.toml" -o "$kept/threads" -q --set spacing=0.016 \
-  --vary threads=1,2 --repeats 3
-
-for name in gas_box shaft sod taylor_green starts threads; do
+for name in gas_box shaft sod taylor_green starts; do
   cp "$kept/$name/results.csv" "$folder/methods_$name.csv"
 done
-for name in sod taylor_green; do cp "$kept/$name/error_cost.png" "$folder/methods_$name.png"; done
+for name in sod taylor_green starts; do cp "$kept/$name/error_cost.png" "$folder/methods_$name.png"; done
