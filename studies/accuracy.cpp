@@ -44,6 +44,7 @@ Study runAccuracy(const AccuracyOptions& options) {
       requests.back().repeat = repeat;
     }
   RunStore::requireUsable(requests);
+  for (const auto& [one, other] : options.comparisons) requireComparable(study, one, other);
   RunStore store(options.folder / "runs", Programs::find(options.programs), options.quiet);
   study.measure = measureFor(options, study.settings, store);
   const std::vector<RunOutcome> outcomes = store.run(requests, options.jobs, "accuracy");

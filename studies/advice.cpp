@@ -128,6 +128,11 @@ std::vector<std::string> adviceOf(const Study& study, std::vector<double> errors
   return sentences;
 }
 
+void requireComparable(const Study& study, const std::string& one, const std::string& other) {
+  chosenIn(study, one);
+  chosenIn(study, other);
+}
+
 std::string comparisonOf(const Study& study, const std::string& one, const std::string& other) {
   const Chosen a = chosenIn(study, one), b = chosenIn(study, other);
   double logSum = 0, errorSum = 0;

@@ -64,5 +64,7 @@ std::vector<std::string> adviceOf(const Study& study, std::vector<double> errors
 /// error, between that other's rows along the axes that are given for both. Throws InputError for
 /// values that are not in the study.
 std::string comparisonOf(const Study& study, const std::string& one, const std::string& other);
+/// Throws that InputError.
+void requireComparable(const Study& study, const std::string& one, const std::string& other);
 
 }  // namespace plenum::study

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <thread>
 
 namespace plenum::study {
 
@@ -74,6 +75,8 @@ std::vector<std::string> keysNamed(const std::string& name, const CaseNode& root
   for (const auto& [shorter, key] : shortNames) known.push_back(shorter);
   known.push_back("lattice");
   std::ranges::sort(known);
+  const auto twice = std::ranges::unique(known);
+  known.erase(twice.begin(), twice.end());
   const std::string guess = nearest(name, known);
   throw InputError(fmt::format(
       "--vary {}: there is no such setting{}; there are {}, and every key "
@@ -90,6 +93,15 @@ std::optional<double> numberAt(const CaseNode& root, const char* table, const ch
 
 bool names(const std::vector<std::string>& settings, const std::string& key) {
   return std::ranges::any_of(settings, [&](const std::string& s) { return s.starts_with(key); });
+}
+
+/// Threads that share a core would say nothing of either.
+int threadsOf(double number) {
+  const unsigned nCores = std::max(1u, std::thread::hardware_concurrency());
+  if (number > nCores)
+    throw InputError(fmt::format("--vary threads: {:g} are more than the {} core{} of this machine",
+                                 number, nCores, nCores == 1 ? "" : "s"));
+  return static_cast<int>(number);
 }
 
 /// The case's own step, as far as spacing and factor change it.
@@ -172,7 +184,7 @@ std::vector<Combination> gridOf(const std::vector<Variation>& axes, const RunReq
           if (!number || *number <= 0 || (key == threadsKey && *number != std::floor(*number)))
             throw InputError(fmt::format("--vary {}: '{}' is no positive {}", key, value,
                                          key == threadsKey ? "whole number" : "number"));
-          if (key == threadsKey) point.request.threads = static_cast<int>(*number);
+          if (key == threadsKey) point.request.threads = threadsOf(*number);
           if (key == factorKey) factor = *number;
         } else {
           variesSpacing |= key == "spacing";

@@ -75,6 +75,7 @@ class Studies(Programs):
         self.ok(*command)
         self.assertEqual([float(row["cpu in steps [s]"]) for row in self.rows()], [1])
 
+    @unittest.skipIf(os.cpu_count() < 2, "one core")
     def test_threads_are_timed_by_the_clock(self):
         out = self.ok(*self.accuracy("--vary", "threads=1,2"))
         with open(self.path("study", "report.html")) as file:
@@ -123,6 +124,8 @@ class Studies(Programs):
                 (("--vary", "kernl=convex"), "did you mean kernel?"),
                 (("--vary", "h=1.5", "--quantity", "max_speed"), "pressure_gradient_error:mean_abs"),
                 (("--vary", "h"), "key=value"),
+                (("--vary", "threads=1,100000"), "of this machine"),
+                (("--vary", "h=1.5", "--compare", "h=1.5", "h=9"), "h=9 is none of 1.5"),
                 (("--vary", "h=1.5", "--programs", "/nowhere"), "--programs")):
             self.refused(self.accuracy(*options), expected)
         for vary, expected in (("kernel=convex,convx", "convx"), ("h=1.5,-1", "smoothing_length"),
