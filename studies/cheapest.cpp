@@ -53,6 +53,7 @@ class CheapestSearch {
     const auto spacing = [&](std::size_t t) { return candidates_[t].spacing; };
     const auto errorOf = [&](std::size_t t) { return results_[t]->error; };
     const std::size_t finest = coarser[0];
+    if (errorOf(finest) == 0) return true;
     double order = bestOrder;
     if (coarser.size() > 1) {
       const double shown = std::log(errorOf(coarser[1]) / errorOf(finest)) /

@@ -14,9 +14,9 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <map>
 #include <mutex>
 #include <regex>
-#include <set>
 #include <sstream>
 
 namespace plenum::study {
@@ -140,11 +140,12 @@ RunOutcome RunStore::make(const RunRequest& request, const fs::path& folder) con
   }
   removeSeries(folder);
   // A run that somebody stopped is none.
-  if (end.signal == SIGKILL || end.signal == SIGINT || end.signal == SIGTERM ||
-      end.exitCode == 128 + SIGINT || end.exitCode == 128 + SIGTERM)
+  if (end.signal == SIGINT || end.signal == SIGTERM || end.exitCode == 128 + SIGINT ||
+      end.exitCode == 128 + SIGTERM)
     throw RunError(fmt::format("{}: {}; the study goes on from here when it is begun again",
                                described(request), outcome.failure));
-  keepOutcome(outcome);
+  // One that the system killed, for memory, has a chance when the study is begun again.
+  if (end.signal != SIGKILL) keepOutcome(outcome);
   return outcome;
 }
 
@@ -154,11 +155,11 @@ std::vector<RunOutcome> RunStore::run(const std::vector<RunRequest>& requests, i
   std::vector<std::optional<RunOutcome>> outcomes;
   std::vector<std::size_t> toMake;
   std::vector<RunRequest> requestsToMake;
-  std::set<fs::path> begun;
+  std::map<fs::path, std::size_t> firstOf;  // requests of the same run
   for (std::size_t k = 0; k < requests.size(); ++k) {
     folders.push_back(folderOf(requests[k]));
     outcomes.push_back(keptOutcome(folders[k]));
-    if (outcomes[k] || !begun.insert(folders[k]).second) continue;
+    if (!firstOf.try_emplace(folders[k], k).second || outcomes[k]) continue;
     toMake.push_back(k);
     requestsToMake.push_back(requests[k]);
   }
@@ -176,7 +177,7 @@ std::vector<RunOutcome> RunStore::run(const std::vector<RunRequest>& requests, i
   if (!toMake.empty()) progress.finish();
   std::vector<RunOutcome> all;
   for (std::size_t k = 0; k < requests.size(); ++k)
-    all.push_back(outcomes[k] ? *outcomes[k] : keptOutcome(folders[k]).value());
+    all.push_back(outcomes[firstOf.at(folders[k])].value());
   return all;
 }
 

@@ -119,6 +119,21 @@ class Studies(Programs):
         self.assertEqual(fine["failure"], "")
         self.assertIn("1 of 2 runs failed", out)
 
+    def test_a_run_that_the_system_kills_does_not_end_the_study(self):
+        os.mkdir(self.path("programs"))
+        os.symlink(os.path.abspath(IC), self.path("programs", "plenum-ic"))
+        with open(self.path("programs", "plenum-sph"), "w") as script:  # the first run is killed
+            script.write(f"#!/bin/sh\n"
+                         f"if mkdir '{self.path('killed')}' 2> /dev/null; then kill -9 $$; fi\n"
+                         f"exec '{os.path.abspath(SPH)}' \"$@\"\n")
+        os.chmod(self.path("programs", "plenum-sph"), 0o755)
+        command = self.accuracy("--vary", "h=1.2,1.3", "--programs", self.path("programs"))
+        self.assertIn("1 of 2 runs failed", self.ok(*command))
+        self.assertIn("likely out of memory", self.rows()[0]["failure"])
+        self.assertEqual(self.rows()[1]["failure"], "")
+        self.ok(*command)  # it has another chance
+        self.assertEqual([row["failure"] for row in self.rows()], ["", ""])
+
     def test_what_cannot_be_used_is_refused_before_anything_runs(self):
         for options, expected in (
                 (("--vary", "kernl=convex"), "did you mean kernel?"),
