@@ -119,6 +119,8 @@ for name in "${chosen[@]}"; do
       map pairing --start noise > "$folder/methods_pairing_noise.txt"
       map pairing --neighbours 12,16,20,28,40,60,80,100 --seeds 3 \
         > "$folder/methods_pairing_neighbours.txt"
+      map pairing --dimension 3 --smoothing-length 1,1.2,1.5,2,2.5 --quick \
+        > "$folder/methods_pairing_3d.txt"
       map modes --kernels wendland_c2 --smoothing-length 1.2,1.5,2,2.5,3 \
         --background-pressure=1,0.1,0.01,0,-0.01,-0.03,-0.1,-0.3,-1 \
         > "$folder/methods_modes_tension.txt"
@@ -129,7 +131,7 @@ for name in "${chosen[@]}"; do
         --kernels cubic_spline,quintic_spline,wendland_c2,wendland_c2_1d,convex
       cp "$work/few/transforms_2d.png" "$folder/methods_transforms_2d.png"
       for drawn in modes_hexagonal modes_hexagonal_pressures pairing_2d pairing_2d_noise \
-        pairing_2d_neighbours tension collisions interface time_step; do
+        pairing_2d_neighbours pairing_3d tension collisions interface time_step; do
         cp "$kept/stability/$drawn.png" "$folder/methods_$drawn.png"
       done
       cp "$kept/tank/error_cost.png" "$folder/methods_tank.png"
