@@ -130,6 +130,20 @@ typename LatticeModes<Dim>::Matrix LatticeModes<Dim>::matrixAt(const Vec<Dim>& k
   return {mass_ * mass_ * dP * B * A + 2 * P * mass_ * H};
 }
 
+/// The matrix, with shifts of the whole lattice, which at k = 0 are no waves, lifted above all.
+template <int Dim>
+typename LatticeModes<Dim>::Matrix LatticeModes<Dim>::matrixWithoutShifts(const Vec<Dim>& k) const {
+  Matrix matrix = matrixAt(k);
+  if (norm(k) > 0) return matrix;
+  constexpr double lift = 1e6;  // [c^2/d_ref^2], where the fastest waves have some ten
+  const auto nSites = static_cast<Eigen::Index>(sites_.size());
+  for (Eigen::Index s = 0; s < nSites; ++s)
+    for (Eigen::Index t = 0; t < nSites; ++t)
+      for (int a = 0; a < Dim; ++a)
+        matrix.D(s * Dim + a, t * Dim + a) += lift / static_cast<double>(nSites);
+  return matrix;
+}
+
 template <int Dim>
 std::vector<double> LatticeModes<Dim>::omegaSquared(const Vec<Dim>& k) const {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(matrixAt(k).D,
@@ -188,7 +202,13 @@ Carrier<Dim> carrierOf(const Vec<Dim>& k, const Eigen::VectorXcd& xi,
 
 template <int Dim>
 Mode<Dim> LatticeModes<Dim>::modeAt(const Vec<Dim>& k, std::size_t branch) const {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(matrixAt(k).D);
+  return modeOf(matrixAt(k), k, branch);
+}
+
+template <int Dim>
+Mode<Dim> LatticeModes<Dim>::modeOf(const Matrix& matrix, const Vec<Dim>& k,
+                                    std::size_t branch) const {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(matrix.D);
   const Eigen::VectorXcd xi = solver.eigenvectors().col(static_cast<Eigen::Index>(branch));
   const Carrier<Dim> carrier = carrierOf<Dim>(k, xi, sites_, edges_);
   Mode<Dim> mode{solver.eigenvalues()[static_cast<Eigen::Index>(branch)],
@@ -215,9 +235,9 @@ Mode<Dim> LatticeModes<Dim>::lowest(int n) const {
   Vec<Dim> best{};
   double least = std::numeric_limits<double>::infinity();
   const auto tryAt = [&](const Vec<Dim>& k) {
-    // Near k = 0 omega^2 is near zero, as c^2 k^2 is: no shift of the whole lattice wins.
-    if (norm(k) < 1e-6) return false;
-    const double value = omegaSquared(k).front();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(matrixWithoutShifts(k).D,
+                                                                 Eigen::EigenvaluesOnly);
+    const double value = solver.eigenvalues()[0];
     if (value >= least) return false;
     least = value;
     best = k;
@@ -241,11 +261,11 @@ Mode<Dim> LatticeModes<Dim>::lowest(int n) const {
         for (const double side : {-1.0, 1.0}) {
           Vec<Dim> k = best;
           k[a] += side * step / edges_[a];
-          // Around k = 0 the step shrinks to it.
+          // Sound of long waves is nearly at rest, and no wave that is looked for.
           if (norm(k) > 0.5 * kernel::pi / n / norm(edges_)) moved |= tryAt(k);
         }
     }
-  return modeAt(best);
+  return modeOf(matrixWithoutShifts(best), best, 0);
 }
 
 template struct Mode<1>;

@@ -65,7 +65,8 @@ class LatticeModes {
   std::size_t nBranches() const { return Dim * sites_.size(); }
 
   /// The wave of the lowest omega^2 of all: on a grid of `n` wave vectors an axis, then by search
-  /// around the lowest one. Shifts of the whole lattice (k = 0) are left out.
+  /// around the lowest one. k = 0 is a wave, too, that goes from site to site of a cell; shifts of
+  /// the whole lattice are left out.
   Mode<Dim> lowest(int n = Dim == 3 ? 8 : 24) const;
 
  private:
@@ -76,6 +77,8 @@ class LatticeModes {
   };
   struct Matrix;
   Matrix matrixAt(const Vec<Dim>& k) const;
+  Matrix matrixWithoutShifts(const Vec<Dim>& k) const;
+  Mode<Dim> modeOf(const Matrix& matrix, const Vec<Dim>& k, std::size_t branch) const;
 
   Vec<Dim> edges_;
   std::vector<Vec<Dim>> sites_;

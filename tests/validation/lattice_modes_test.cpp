@@ -17,9 +17,9 @@ void expectTheory(const std::vector<LatticeState>& states, int nCells) {
   for (const LatticeState& state : states)
     for (const MeasuredMode& mode : measureExtremes<Dim>(state, nCells)) all.push_back(mode);
   std::cout << tableOf(all);
-  // The scheme's own error of a frequency, (omega dt)^2/24, is below 1e-3, as is what a wave of
-  // 1e-6 d_ref has of the second order when it has grown two-hundredfold.
-  for (const MeasuredMode& mode : all) EXPECT_NEAR(mode.deviation(), 0, 2e-3);
+  EXPECT_GE(all.size(), states.size());
+  // The scheme's own error of a frequency, (omega dt)^2/24 with dt = .02 and omega^2 <= 6, is 1e-4.
+  for (const MeasuredMode& mode : all) EXPECT_NEAR(mode.deviation(), 0, 2e-4);
 }
 
 std::vector<LatticeState> statesOf(const char* lattice, double h) {
@@ -55,6 +55,9 @@ TEST(LatticeModes, AreNearlyThoseOfTheSolverWhereNeighboursStandAtTheEnd) {
          measureExtremes<2>({"hexagonal", KernelId::named(kernel), 1.5, 1}, 8))
       all.push_back(mode);
   std::cout << tableOf(all);
+  ASSERT_GE(all.size(), 2u);
+  // What is left when one that comes nearer meets another stiffness than one that goes: here 3.2 %
+  // at most, with six of 36 neighbours at the end.
   for (const MeasuredMode& mode : all) EXPECT_NEAR(mode.deviation(), 0, 0.05);
 }
 

@@ -133,9 +133,28 @@ TEST(LatticeModes, NameTheirWave) {
 /// makes any kernel unstable.
 TEST(LatticeModes, GrowWhereParticlesPair) {
   EXPECT_LT(LatticeModes<2>(stateOf("hexagonal", "cubic_spline", 2)).lowest().omegaSquared, -1e-3);
-  EXPECT_GT(LatticeModes<2>(stateOf("hexagonal", "wendland_c2", 1.3)).lowest().omegaSquared, -1e-3);
+  EXPECT_GT(LatticeModes<2>(stateOf("hexagonal", "wendland_c2", 1.3)).lowest().omegaSquared, -1e-9);
   EXPECT_LT(LatticeModes<2>(stateOf("hexagonal", "wendland_c2", 1.3, -0.5)).lowest().omegaSquared,
             -0.1);
+}
+
+/// Corners of the zone of fcc, bcc and hcp are k = 0 of the rectangular cell.
+TEST(LatticeModes, OfTheCornersOfTheZoneAreFound) {
+  for (const auto& [lattice, kernel, h] : {std::tuple{"hcp", "quartic_liu", 1.5},
+                                           {"hcp", "wendland_c2_1d", 1.4},
+                                           {"bcc", "wendland_c2_1d", 1.5}}) {
+    const LatticeModes<3> modes(stateOf(lattice, kernel, h));
+    const double atCorner = modes.omegaSquared({0, 0, 0}).front();
+    ASSERT_LT(atCorner, -0.01) << lattice;  // a wave that grows, and no shift
+    EXPECT_LE(modes.lowest().omegaSquared, atCorner + 1e-9) << lattice;
+  }
+}
+
+/// A cell of one site has nothing but shifts at k = 0.
+TEST(LatticeModes, AreNoShifts) {
+  const Mode<2> mode = LatticeModes<2>(stateOf("square", "wendland_c2", 2)).lowest();
+  EXPECT_GT(norm(mode.k), 0.01);
+  EXPECT_LT(mode.omegaSquared, 10);
 }
 
 TEST(LatticeModes, RefuseLatticesOfOtherDimensions) {
