@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <utility>
 
 namespace plenum {
@@ -11,7 +12,7 @@ namespace plenum {
 /// What a run spends its time on.
 enum class Activity { stepping, measuring, writing, count };
 
-/// Wall-clock seconds by activity. Each moment counts for one activity: a lap within a lap takes
+/// Seconds by activity, of the clock on the wall and of all threads' CPU time. Each moment counts for one activity: a lap within a lap takes
 /// its time from the outer one.
 class ActivityClock {
  public:
@@ -33,20 +34,34 @@ class ActivityClock {
 
   Lap lap(Activity activity) { return {*this, activity}; }
   double seconds(Activity activity) const { return seconds_[static_cast<std::size_t>(activity)]; }
+  double cpuSeconds(Activity activity) const {
+    return cpuSeconds_[static_cast<std::size_t>(activity)];
+  }
 
  private:
   /// Returns the activity until now; `count` is none.
   Activity switchTo(Activity next) {
     const Clock::time_point now = Clock::now();
-    seconds_[static_cast<std::size_t>(present_)] +=
-        std::chrono::duration<double>(now - start_).count();
+    const double cpu = cpuNow();
+    const auto place = static_cast<std::size_t>(present_);
+    seconds_[place] += std::chrono::duration<double>(now - start_).count();
+    cpuSeconds_[place] += cpu - cpuStart_;
     start_ = now;
+    cpuStart_ = cpu;
     return std::exchange(present_, next);
   }
 
-  std::array<double, static_cast<std::size_t>(Activity::count) + 1> seconds_{};
+  /// Of this process, in all threads [s].
+  static double cpuNow() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+
+  std::array<double, static_cast<std::size_t>(Activity::count) + 1> seconds_{}, cpuSeconds_{};
   Activity present_ = Activity::count;
   Clock::time_point start_ = Clock::now();
+  double cpuStart_ = cpuNow();
 };
 
 }  // namespace plenum

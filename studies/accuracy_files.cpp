@@ -63,7 +63,7 @@ Chart costChart(const Study& study) {
     const StudyRow& row = study.rows[k];
     const std::size_t first = row.at.empty() ? 0 : row.at[0];
     Series& one = series[first];
-    one.name = study.axes.empty() ? "as the case" : study.axes[0].textOf(first);
+    one.name = study.axes.empty() ? "as the case" : describe({study.axes[0]}, {first});
     one.points.push_back({study.costOf(row), height(row), labelOf(study, row)});
   }
   for (auto& [value, one] : series) chart.series.push_back(std::move(one));
@@ -146,11 +146,12 @@ std::optional<Chart> columnChart(const Study& study) {
 
 PageTable pageTable(const Study& study) {
   PageTable table;
-  for (const Variation& axis : study.axes) table.columns.push_back(axis.name);
+  for (const Variation& axis : study.axes)
+    table.columns.insert(table.columns.end(), axis.names.begin(), axis.names.end());
   for (const std::string& name :
-       {axisLabel(study), costLabel(study), std::string("all CPU time [s]"),
+       {axisLabel(study), costLabel(study), std::string("remark"), std::string("all CPU time [s]"),
         std::string("peak memory [MiB]"), std::string("million interactions a second"),
-        std::string("steps"), std::string("particles"), std::string("remark")})
+        std::string("steps"), std::string("particles")})
     table.columns.push_back(name);
   const std::vector<std::size_t> front = study.front();
   for (std::size_t k = 0; k < study.rows.size(); ++k) {
@@ -158,17 +159,20 @@ PageTable pageTable(const Study& study) {
     const RunOutcome& run = row.outcome;
     std::vector<std::string> cells;
     for (std::size_t a = 0; a < study.axes.size(); ++a)
-      cells.push_back(study.axes[a].textOf(row.at[a]));
+      for (std::size_t n = 0; n < study.axes[a].names.size(); ++n)
+        cells.push_back(study.axes[a].textOf(row.at[a], n));
+    const bool hasSteps = run.steps > 0;  // one that failed before has cost nothing to compare
     cells.push_back(row.error ? fmt::format("{:.4g}", *row.error) : "");
-    cells.push_back(fmt::format("{:.3g}", study.costOf(row)));
-    cells.push_back(fmt::format("{:.3g}", run.cost.cpuSeconds));
-    cells.push_back(fmt::format("{:.1f}", run.cost.peakBytes / 1048576));
-    cells.push_back(fmt::format("{:.1f}", 1e-6 * run.cost.interactionsPerSecond));
-    cells.push_back(std::to_string(run.steps));
-    cells.push_back(std::to_string(run.fluidParticles + run.wallParticles));
+    cells.push_back(hasSteps ? fmt::format("{:.3g}", study.costOf(row)) : "");
     cells.push_back(run.hasFailed()                    ? "failed: " + run.failure
+                    : !row.error                       ? "no value of " + study.measure.name()
                     : std::ranges::count(front, k) > 0 ? "front"
                                                        : "");
+    cells.push_back(hasSteps ? fmt::format("{:.3g}", run.cost.cpuSeconds) : "");
+    cells.push_back(hasSteps ? fmt::format("{:.1f}", run.cost.peakBytes / 1048576) : "");
+    cells.push_back(hasSteps ? fmt::format("{:.1f}", 1e-6 * run.cost.interactionsPerSecond) : "");
+    cells.push_back(std::to_string(run.steps));
+    cells.push_back(std::to_string(run.fluidParticles + run.wallParticles));
     table.rows.push_back(std::move(cells));
   }
   return table;

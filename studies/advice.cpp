@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 namespace plenum::study {
 
@@ -43,14 +42,14 @@ using Chosen = std::map<std::size_t, std::size_t>;
 
 Chosen chosenIn(const Study& study, const std::string& text) {
   Chosen chosen;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
+  for (const std::string& part : splitOutsideBrackets(text, ',')) {
     const std::size_t equals = std::min(part.find('='), part.size());
     const std::string name = part.substr(0, equals);
-    const auto axis = std::ranges::find(study.axes, name, &Variation::name);
+    const auto axis = std::ranges::find_if(
+        study.axes, [&](const Variation& known) { return known.name() == name; });
     if (axis == study.axes.end()) {
       std::vector<std::string> names;
-      for (const Variation& known : study.axes) names.push_back(known.name);
+      for (const Variation& known : study.axes) names.push_back(known.name());
       throw InputError(fmt::format("--compare {}: the study does not vary '{}'; it varies {}", text,
                                    name, fmt::join(names, ", ")));
     }
@@ -68,8 +67,9 @@ Chosen chosenIn(const Study& study, const std::string& text) {
 }
 
 bool isNumeric(const Variation& axis) {
-  return std::ranges::all_of(axis.values,
-                             [](const auto& value) { return numberIn(value[0]).has_value(); });
+  return axis.names.size() == 1 && std::ranges::all_of(axis.values, [](const auto& value) {
+           return numberIn(value[0]).has_value();
+         });
 }
 
 /// Rows that agree with `row` along axes that nobody chose, and with `chosen` but for numbers.
@@ -105,23 +105,29 @@ std::string nameOf(const Study& study, const Chosen& chosen) {
 }  // namespace
 
 std::vector<std::string> adviceOf(const Study& study, std::vector<double> errors) {
-  const std::vector<std::size_t> front = study.front();
-  if (front.empty()) return {"no run of this study came to its end: there is nothing to advise"};
-  if (errors.empty()) errors.push_back(errorInTheMiddle(study, front));
+  const std::vector<std::size_t> front = study.wholeFront();
+  if (front.empty())
+    return {std::ranges::all_of(study.rows, [](const auto& row) { return row.outcome.hasFailed(); })
+                ? "All runs of this study failed: there is nothing to advise."
+                : fmt::format("No run of this study has a value of {}: there is nothing to advise.",
+                              study.measure.name())};
+  const bool isChosen = errors.empty();
+  if (isChosen) errors.push_back(errorInTheMiddle(study, front));
   std::vector<std::string> sentences;
   for (const double error : errors) {
     const auto found =
         std::ranges::find_if(front, [&](std::size_t k) { return *study.rows[k].error <= error; });
     if (found == front.end()) {
       sentences.push_back(fmt::format(
-          "No setting of this study is within {}; the best is {}: {}.", study.printed(error),
+          "No run of this study is within {}; the best is {}: {}.", study.printed(error),
           study.printed(*study.rows[front.back()].error), study.rows[front.back()].name));
       continue;
     }
     const StudyRow& row = study.rows[*found];
     sentences.push_back(
-        fmt::format("The cheapest setting {}: {}: {}, {:.3g} s; {}.",
-                    error > 0 ? "within " + study.printed(error) : "without any error", row.name,
+        fmt::format("The cheapest setting {}{}: {}: {}, {:.3g} s; {}.",
+                    error > 0 ? "within " + study.printed(error) : "without any error",
+                    isChosen ? " (--within asks for other errors)" : "", row.name,
                     study.printed(*row.error), study.costOf(row),
                     whatMoreBuys(study, front, static_cast<std::size_t>(found - front.begin()))));
   }

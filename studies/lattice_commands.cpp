@@ -31,7 +31,7 @@ struct LatticeOptions {
 
 void requireUsable(const LatticeOptions& options) {
   requireWords("--kernels", options.kernels, KernelId::names());
-  requireNumbers("--smoothing-length", options.smoothingLengths, 0.5, 10);
+  requireNumbers("--smoothing-length", options.smoothingLengths, 0.6, 6);  // the solver's own
   requireNumbers("--background-pressure", options.backgroundPressures, -1, 100);
 }
 

@@ -114,13 +114,11 @@ void readResults(const std::filesystem::path& folder, RunOutcome& outcome) {
   outcome.cost.updatesPerSecond = summary.value("updates_per_second", 0.0);
   outcome.cost.interactionsPerSecond =
       outcome.cost.updatesPerSecond * summary.value("neighbours_mean", 0.0);
-  double all = 0;
-  const Json activities = summary.value("activity_seconds", Json::object());
-  for (const auto& [name, seconds] : activities.items()) all += seconds.get<double>();
-  if (all <= 0) return;
-  const double share = activities.value("stepping", 0.0) / all;
-  outcome.cost.stepCpuSeconds = share * outcome.cost.cpuSeconds;
-  outcome.cost.stepWallSeconds = share * outcome.cost.wallSeconds;
+  const auto steppingIn = [&](const char* seconds) {
+    return summary.value(seconds, Json::object()).value("stepping", 0.0);
+  };
+  outcome.cost.stepCpuSeconds = steppingIn("activity_cpu_seconds");
+  outcome.cost.stepWallSeconds = steppingIn("activity_seconds");
 }
 
 void keepOutcome(const RunOutcome& outcome) {

@@ -40,10 +40,17 @@ fs::path findOne(const fs::path& folder, const char* name, const char* part) {
 
 }  // namespace
 
+bool Programs::haveChanged() const {
+  std::error_code gone;
+  return fs::last_write_time(ic, gone) != icTime_ || fs::last_write_time(sph, gone) != sphTime_;
+}
+
 Programs Programs::find(const fs::path& folder) {
   Programs found;
   found.ic = findOne(folder, "plenum-ic", "ictools");
   found.sph = findOne(folder, "plenum-sph", "solver");
+  found.icTime_ = fs::last_write_time(found.ic);
+  found.sphTime_ = fs::last_write_time(found.sph);
   Key key;
   key.add(version);
   key.addFile(found.ic);

@@ -58,6 +58,14 @@ std::string reasonOf(const ProcessEnd& end) {
   return said.empty() ? fmt::format("exit code {}", end.exitCode) : said;
 }
 
+/// Whether a program ended for what no setting is to blame for: a full disk, a file that cannot be
+/// written, a program that is not there.
+bool isOfTheMachine(const ProcessEnd& end) {
+  return end.exitCode == 127 || end.exitCode == 126 ||
+         end.errors.find("cannot be written") != std::string::npos ||
+         end.errors.find("cannot be made") != std::string::npos;
+}
+
 /// The time that a message of plenum-sph names [s].
 std::optional<double> timeIn(const std::string& message) {
   static const std::regex time(R"(t = ([-+0-9.e]+) s)");
@@ -144,6 +152,14 @@ RunOutcome RunStore::make(const RunRequest& request, const fs::path& folder) con
       end.exitCode == 128 + SIGTERM)
     throw RunError(fmt::format("{}: {}; the study goes on from here when it is begun again",
                                described(request), outcome.failure));
+  if (isOfTheMachine(end))
+    throw RunError(fmt::format("{}: {}; the study goes on from here when it is begun again",
+                               described(request), outcome.failure));
+  if (programs_.haveChanged() || folderOf(request) != folder)
+    throw RunError(
+        fmt::format("{}: the case, or a program, has changed since the study began; "
+                    "begin the study again, which makes what has changed anew",
+                    request.caseFile.string()));
   // One that the system killed, for memory, has a chance when the study is begun again.
   if (end.signal != SIGKILL) keepOutcome(outcome);
   return outcome;

@@ -18,8 +18,10 @@ std::string numberCell(std::optional<double> value) {
 
 std::vector<std::string> headerOf(const Study& study) {
   std::vector<std::string> names;
-  for (const Variation& axis : study.axes) names.push_back(csvCell(axis.name));
-  names.push_back(csvCell(fmt::format("error of {} [{}]", study.measure.name(), study.unit)));
+  for (const Variation& axis : study.axes)
+    for (const std::string& name : axis.names) names.push_back(csvCell(name));
+  names.push_back(csvCell("error of " + study.measure.name() +
+                          (study.unit.empty() ? "" : " [" + study.unit + "]")));
   for (const ValidateSettings& asked : study.settings.validations) {
     const std::string statistic = asked.statisticOrDefault();
     names.push_back(csvCell(statistic.empty() ? asked.quantity : asked.quantity + ":" + statistic));
@@ -35,7 +37,8 @@ std::vector<std::string> headerOf(const Study& study) {
 std::vector<std::string> cellsOf(const Study& study, const StudyRow& row) {
   std::vector<std::string> cells;
   for (std::size_t a = 0; a < study.axes.size(); ++a)
-    cells.push_back(csvCell(study.axes[a].textOf(row.at[a])));
+    for (std::size_t n = 0; n < study.axes[a].names.size(); ++n)
+      cells.push_back(csvCell(study.axes[a].textOf(row.at[a], n)));
   cells.push_back(numberCell(row.error));
   const RunOutcome& run = row.outcome;
   for (std::size_t k = 0; k < study.settings.validations.size(); ++k)
@@ -43,7 +46,7 @@ std::vector<std::string> cellsOf(const Study& study, const StudyRow& row) {
   const RunCost& cost = run.cost;
   for (const double value :
        {cost.stepCpuSeconds, cost.cpuSeconds, cost.stepWallSeconds, cost.wallSeconds})
-    cells.push_back(fmt::format("{:.4g}", value));
+    cells.push_back(run.steps > 0 ? fmt::format("{:.4g}", value) : "");
   cells.push_back(numberCell(cost.instructions));
   for (const double value : {cost.peakBytes, cost.updatesPerSecond, cost.interactionsPerSecond})
     cells.push_back(fmt::format("{:.0f}", value));
@@ -82,12 +85,17 @@ std::vector<CostAndError> Study::pointsOf(const std::vector<std::size_t>& which)
   return points;
 }
 
-std::vector<std::size_t> Study::front() const {
+std::vector<std::size_t> Study::wholeFront() const {
   const std::vector<std::size_t> measured = measuredRows();
   std::vector<std::size_t> places;
-  for (const std::size_t k : paretoFront(pointsOf(measured)))
-    if (places.empty() || *rows[measured[k]].error < 0.99 * *rows[places.back()].error)
-      places.push_back(measured[k]);
+  for (const std::size_t k : paretoFront(pointsOf(measured))) places.push_back(measured[k]);
+  return places;
+}
+
+std::vector<std::size_t> Study::front() const {
+  std::vector<std::size_t> places;
+  for (const std::size_t k : wholeFront())
+    if (places.empty() || *rows[k].error < 0.99 * *rows[places.back()].error) places.push_back(k);
   return places;
 }
 

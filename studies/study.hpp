@@ -43,6 +43,7 @@ struct Study {
   /// Places of the rows on the Pareto front, by rising cost; without those whose error is less than
   /// a hundredth better than that of a cheaper one.
   std::vector<std::size_t> front() const;
+  std::vector<std::size_t> wholeFront() const;  ///< with those
   /// An error with its unit: "1.18 %".
   std::string printed(double error) const;
 };

@@ -15,12 +15,7 @@
 
 namespace plenum::study {
 
-namespace {
-
-constexpr const char *threadsKey = "threads", *factorKey = "time_step_factor";
-
-/// The parts of `text` between separators that stand in no brackets and no quotation marks.
-std::vector<std::string> split(const std::string& text, char separator) {
+std::vector<std::string> splitOutsideBrackets(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   int depth = 0;
   char quote = 0;
@@ -40,6 +35,10 @@ std::vector<std::string> split(const std::string& text, char separator) {
   }
   return parts;
 }
+
+namespace {
+
+constexpr const char *threadsKey = "threads", *factorKey = "time_step_factor";
 
 std::vector<std::string> keysOf(const SectionDoc& section) {
   std::vector<std::string> keys;
@@ -95,6 +94,11 @@ bool names(const std::vector<std::string>& settings, const std::string& key) {
   return std::ranges::any_of(settings, [&](const std::string& s) { return s.starts_with(key); });
 }
 
+bool areSame(const std::string& a, const std::string& b) {
+  const auto number = numberIn(a);
+  return a == b || (number && number == numberIn(b));
+}
+
 /// Threads that share a core would say nothing of either.
 int threadsOf(double number) {
   const unsigned nCores = std::max(1u, std::thread::hardware_concurrency());
@@ -110,7 +114,8 @@ void setTimeStep(const RunRequest& base, double factor, bool variesSpacing, RunR
   applyChanges(before, base.quick, base.settings);
   applyChanges(after, base.quick, request.settings);
   if (const auto step = numberAt(after, "solver", "time_step")) {
-    const bool isSet = *step != numberAt(before, "solver", "time_step");
+    const bool isSet = names(base.settings, "solver.time_step=") ||
+                       *step != numberAt(before, "solver", "time_step");
     const auto spacing = numberAt(after, "", "spacing"), first = numberAt(before, "", "spacing");
     if (variesSpacing && !isSet && spacing && first) factor *= *spacing / *first;
     if (factor != 1) request.settings.push_back(fmt::format("solver.time_step={}", *step * factor));
@@ -124,18 +129,22 @@ void setTimeStep(const RunRequest& base, double factor, bool variesSpacing, RunR
 
 Variation Variation::parse(const std::string& text, const std::filesystem::path& caseFile) {
   const CaseNode root = CaseNode::load(caseFile);
+  if (text.find('=') == std::string::npos || text.starts_with('='))
+    throw InputError(fmt::format("--vary {}: no setting; write KEY=VALUE,VALUE", text));
   const auto [left, right] = CaseNode::splitAssignment(text);
   Variation axis;
-  const std::vector<std::string> given = split(left, ':');
-  axis.name = given[0];
+  const std::vector<std::string> given = splitOutsideBrackets(left, ':');
+  axis.names = given;
+  axis.places.clear();
   std::vector<std::size_t> wide;  // keys that each name stands for
   for (const std::string& name : given) {
     const std::vector<std::string> keys = keysNamed(name, root);
+    axis.places.push_back(axis.keys.size());
     wide.push_back(keys.size());
     axis.keys.insert(axis.keys.end(), keys.begin(), keys.end());
   }
-  for (const std::string& value : split(right, ',')) {
-    const std::vector<std::string> tied = split(value, ':');
+  for (const std::string& value : splitOutsideBrackets(right, ',')) {
+    const std::vector<std::string> tied = splitOutsideBrackets(value, ':');
     if (tied.size() != given.size() || std::ranges::count(tied, "") > 0)
       throw InputError(
           fmt::format("--vary {}: '{}' has {} values for {}; write --vary "
@@ -144,7 +153,10 @@ Variation Variation::parse(const std::string& text, const std::filesystem::path&
     axis.values.emplace_back();
     for (std::size_t k = 0; k < given.size(); ++k)
       axis.values.back().insert(axis.values.back().end(), wide[k], tied[k]);
-    if (std::ranges::count(axis.values, axis.values.back()) > 1)
+    const auto isSame = [&](const auto& other) {
+      return std::ranges::equal(other, axis.values.back(), areSame);
+    };
+    if (std::ranges::count_if(axis.values, isSame) > 1)
       throw InputError(fmt::format("--vary {}: {} stands there twice", text, value));
   }
   return axis;
@@ -202,28 +214,31 @@ std::vector<Combination> gridOf(const std::vector<Variation>& axes, const RunReq
 
 bool Variation::isOfThreads() const { return std::ranges::count(keys, threadsKey) > 0; }
 
+std::string Variation::name() const { return fmt::format("{}", fmt::join(names, ":")); }
+
 std::string Variation::textOf(std::size_t value) const {
-  const std::string& first = values[value][0];
-  const auto isNamedSo = [&](const auto& tied) { return tied[0] == first; };
-  if (std::ranges::count_if(values, isNamedSo) == 1) return first;
-  return fmt::format("{}", fmt::join(values[value], ":"));
+  std::vector<std::string> texts;
+  for (std::size_t n = 0; n < names.size(); ++n) texts.push_back(textOf(value, n));
+  return fmt::format("{}", fmt::join(texts, ":"));
 }
+
+namespace {
+
+std::string describeOne(const std::string& name, const std::string& value) {
+  if (value == "case") return name + " as in the case";
+  if (numberIn(value) && (name == "h" || name == "smoothing_length"))
+    return fmt::format("h = {} d_ref", value);
+  return numberIn(value) || value.starts_with('{') ? fmt::format("{} {}", name, value) : value;
+}
+
+}  // namespace
 
 std::string describe(const std::vector<Variation>& axes, const std::vector<std::size_t>& at) {
   if (axes.empty()) return "as the case has it";
   std::vector<std::string> parts;
-  for (std::size_t a = 0; a < axes.size(); ++a) {
-    const std::string value = axes[a].textOf(at[a]);
-    const std::string& name = axes[a].name;
-    if (value == "case")
-      parts.push_back(name + " as in the case");
-    else if (numberIn(value) && (name == "h" || name == "smoothing_length"))
-      parts.push_back(fmt::format("h = {} d_ref", value));
-    else if (numberIn(value) || value.starts_with('{'))
-      parts.push_back(fmt::format("{} {}", name, value));
-    else
-      parts.push_back(value);
-  }
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    for (std::size_t n = 0; n < axes[a].names.size(); ++n)
+      parts.push_back(describeOne(axes[a].names[n], axes[a].textOf(at[a], n)));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -10,11 +10,15 @@
 
 namespace plenum::study {
 
+/// The parts of `text` between separators that stand in no brackets and no quotation marks.
+std::vector<std::string> splitOutsideBrackets(const std::string& text, char separator);
+
 /// One axis. Its values stand for settings of the case, several at once where keys are tied.
 struct Variation {
-  std::string name;                              ///< as charts have it: "kernel"
+  std::vector<std::string> names;                ///< as given: "kernel"; several if tied
   std::vector<std::string> keys;                 ///< as the case has them: "solver.kernel"
   std::vector<std::vector<std::string>> values;  ///< [value][key]
+  std::vector<std::size_t> places{0};            ///< of each name's first key
 
   /// "kernel=convex,wendland_c2", or tied keys "spacing:solver.time_step=0.02:4e-4,0.01:2e-4".
   /// Commas and colons inside brackets or quotation marks belong to a value. A value `case` is what
@@ -26,9 +30,12 @@ struct Variation {
   /// cannot have, with the nearest one.
   static Variation parse(const std::string& text, const std::filesystem::path& caseFile);
 
-  /// For people. Of tied keys the first one's value, or all, "random:{}", where that would be
-  /// another value's name, too.
-  std::string textOf(std::size_t value) const;
+  std::string name() const;                     ///< tied names with colons between
+  std::string textOf(std::size_t value) const;  ///< as given; of tied keys "random:{}"
+  /// Of one of the names.
+  const std::string& textOf(std::size_t value, std::size_t name) const {
+    return values[value][places[name]];
+  }
 
   bool isOfThreads() const;  ///< the number of threads is varied
 };

@@ -118,6 +118,7 @@ void runInterface(InterfaceOptions options) {
   if (options.methods.empty()) options.methods = interfaceMethods();
   requireWords("--methods", options.methods, interfaceMethods());
   requireNumbers("--ratios", options.ratios, 1, 1e5);
+  std::ranges::sort(options.ratios);  // the first that fails is looked for
   const GridPlan plan = planOf(options);
   const double soundSpeed = scalesOf(plan.caseFile, false).soundSpeed;
   const Grid grid = runGrid(plan, options.common);
@@ -134,6 +135,9 @@ void runInterface(InterfaceOptions options) {
                                              "gap [d_ref]; .866 at first", gap)},
                 {"interface_void1",
                  grid.chart("Holes in two layers at the end", "void1", lastFigure("void1"))}};
+  // Negative gaps, of fluids that mix, would else take all colours.
+  map.charts[1].map.lowest = 0;
+  map.charts[1].map.highest = 3;
   grid.tabulate({{"max_speed/c", speed},
                  {"gap [d_ref]", gap},
                  {"void1", lastFigure("void1")},

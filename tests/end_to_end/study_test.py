@@ -156,7 +156,7 @@ class Studies(Programs):
                 "spacing=0.08,0.04,0.02,0.01")
         self.ok(STUDY, "accuracy", f"{CASES}/sod.toml", "-o", "study", *axes)
         rows = self.rows()
-        error = "error of l1_density []"
+        error = "error of l1_density"
         # A cost that noise cannot reorder: steps times particles.
         cost = lambda row: int(row["steps"]) * int(row["fluid particles"])
         within = [r for r in rows if float(r[error]) <= .04]

@@ -13,8 +13,8 @@ using testing::HasSubstr;
 /// Two kernels at two lengths each, with cost and error.
 Study someStudy() {
   Study study;
-  study.axes = {{"kernel", {"solver.kernel"}, {{"convex"}, {"cubic_spline"}}},
-                {"h", {"solver.smoothing_length"}, {{"1"}, {"2"}}}};
+  study.axes = {{{"kernel"}, {"solver.kernel"}, {{"convex"}, {"cubic_spline"}}},
+                {{"h"}, {"solver.smoothing_length"}, {{"1"}, {"2"}}}};
   study.unit = "%";
   const auto add = [&](std::vector<std::size_t> at, double cost, std::optional<double> error) {
     StudyRow row{at, describe(study.axes, at), {}, error};
@@ -37,7 +37,7 @@ TEST(Advice, NamesTheCheapestAndWhatMoreBuys) {
             "times as much buys 1 % (convex, h = 2 d_ref, 4 s).");
   EXPECT_THAT(sentences[1], HasSubstr("no dearer setting of this study is more accurate"));
   EXPECT_EQ(sentences[2],
-            "No setting of this study is within 0.1 %; the best is 0.5 %: cubic_spline, h = 2 "
+            "No run of this study is within 0.1 %; the best is 0.5 %: cubic_spline, h = 2 "
             "d_ref.");
 }
 
@@ -49,7 +49,7 @@ TEST(Advice, ChoosesARoundErrorThatIsReached) {
 TEST(Advice, KnowsRunsWithoutError) {
   Study study = someStudy();
   study.rows[0].error = 0;
-  EXPECT_THAT(adviceOf(study, {}).at(0), HasSubstr("without any error: convex, h = 1 d_ref: 0 %"));
+  EXPECT_THAT(adviceOf(study, {}).at(0), HasSubstr("without any error"));
   EXPECT_THAT(adviceOf(study, {0.5}).at(0), HasSubstr("within 0.5 %: convex, h = 1 d_ref: 0 %"));
 }
 
@@ -57,7 +57,7 @@ TEST(Study, CountsTheClockWhereThreadsAreVaried) {
   Study study = someStudy();
   study.rows[0].outcome.cost.stepWallSeconds = 7;
   EXPECT_EQ(study.costOf(study.rows[0]), 1);
-  study.axes.push_back({"threads", {"threads"}, {{"1"}, {"2"}}});
+  study.axes.push_back({{"threads"}, {"threads"}, {{"1"}, {"2"}}});
   EXPECT_EQ(study.costOf(study.rows[0]), 7);
 }
 
@@ -75,7 +75,7 @@ TEST(Study, TakesTheLeastOfRepeatsThatEnded) {
 TEST(Advice, IsNoneWhereAllFailed) {
   Study study = someStudy();
   for (StudyRow& row : study.rows) row.error.reset();
-  EXPECT_THAT(adviceOf(study, {}).at(0), HasSubstr("no run of this study came to its end"));
+  EXPECT_THAT(adviceOf(study, {}).at(0), HasSubstr("there is nothing to advise"));
 }
 
 /// Along cubic_spline's line, error ~ cost^-2/3 between (1.5, 2) and (12, .5): 1 % costs

@@ -49,19 +49,17 @@ TEST(Outcome, IsNoneWhereARunWasKilled) {
   EXPECT_FALSE(keptOutcome(folder.path()));
 }
 
-/// Seconds of steps are the CPU seconds in the ratio of the clock's seconds.
 TEST(Outcome, ReadsWhatARunWrote) {
   const test::TemporaryFolder folder;
   writeTextFile(folder / "summary.json", R"({"steps": 10, "fluid_particles": 4,
     "wall_particles": 2, "updates_per_second": 100.0, "neighbours_mean": 20.0,
     "measures": {"f.5": 0.25, "psi6": null},
-    "activity_seconds": {"stepping": 1.0, "measuring": 2.0, "writing": 1.0}})");
+    "activity_seconds": {"stepping": 1.0, "measuring": 2.0, "writing": 1.0},
+    "activity_cpu_seconds": {"stepping": 2.0, "measuring": 4.0, "writing": 0.5}})");
   RunOutcome outcome;
-  outcome.cost.cpuSeconds = 8;
-  outcome.cost.wallSeconds = 12;
   readResults(folder.path(), outcome);
   EXPECT_EQ(outcome.cost.stepCpuSeconds, 2);
-  EXPECT_EQ(outcome.cost.stepWallSeconds, 3);
+  EXPECT_EQ(outcome.cost.stepWallSeconds, 1);
   EXPECT_EQ(outcome.cost.interactionsPerSecond, 2000);
   EXPECT_EQ(outcome.figure("f.5"), 0.25);
   EXPECT_TRUE(std::isnan(outcome.figure("psi6")));
