@@ -43,7 +43,7 @@ Study runAccuracy(const AccuracyOptions& options) {
       requests.push_back(point.request);
       requests.back().repeat = repeat;
     }
-  RunStore::requireUsable(requests);
+  RunStore::requireUsable({requests.begin(), requests.begin() + std::ssize(grid)});
   for (const auto& [one, other] : options.comparisons) requireComparable(study, one, other);
   RunStore store(options.folder / "runs", Programs::find(options.programs), options.quiet);
   study.measure = measureFor(options, study.settings, store);

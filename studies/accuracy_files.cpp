@@ -83,39 +83,65 @@ std::vector<std::string> frontLines(const Study& study) {
   return lines;
 }
 
-std::optional<std::size_t> axisOf(const Study& study, const std::string& key) {
-  for (std::size_t a = 0; a < study.axes.size(); ++a)
-    if (study.axes[a].keys.front() == key) return a;
-  return std::nullopt;
+/// What rows have at a key of the case, where an axis varies it.
+class VariedKey {
+ public:
+  VariedKey(const Study& study, const char* key) : study_(study) {
+    for (std::size_t a = 0; a < study.axes.size(); ++a)
+      for (std::size_t k = 0; k < study.axes[a].keys.size(); ++k)
+        if (study.axes[a].keys[k] == key) place_ = {a, k};
+  }
+
+  bool isVaried() const { return place_.has_value(); }
+
+  /// None where that is what the case has.
+  std::optional<std::string> of(const StudyRow& row) const {
+    if (!place_) return std::nullopt;
+    const std::string& value =
+        study_.axes[place_->first].values[row.at[place_->first]][place_->second];
+    return value == "case" ? std::nullopt : std::optional(value);
+  }
+
+ private:
+  const Study& study_;
+  std::optional<std::pair<std::size_t, std::size_t>> place_;
+};
+
+double lengthOf(const Study& study, const StudyRow& row, const VariedKey& key) {
+  const std::optional<std::string> text = key.of(row);
+  return text ? numberIn(*text).value() : study.settings.solverOrDefaults().smoothingLength;
 }
 
-/// What a row has along an axis: none where that is what the case has.
-std::optional<std::string> valueOf(const Study& study, const StudyRow& row, std::size_t axis) {
-  const std::string& value = study.axes[axis].values[row.at[axis]][0];
-  return value == "case" ? std::nullopt : std::optional(value);
+/// As the case names it, without the quotation marks that TOML allows.
+std::string kernelOf(const Study& study, const StudyRow& row, const VariedKey& key) {
+  std::string name = key.of(row).value_or(study.settings.solverOrDefaults().kernel);
+  std::erase_if(name, [](char c) { return c == '"' || c == '\''; });
+  return name;
 }
 
-double lengthOf(const Study& study, const StudyRow& row, std::size_t axis) {
-  const std::optional<std::string> value = valueOf(study, row, axis);
-  return value ? numberIn(*value).value() : study.settings.solverOrDefaults().smoothingLength;
-}
-
-std::string kernelOf(const Study& study, const StudyRow& row, std::optional<std::size_t> axis) {
-  const std::string ofCase = study.settings.solverOrDefaults().kernel;
-  return axis ? valueOf(study, row, *axis).value_or(ofCase) : ofCase;
+/// The entry of [[validate]] that the closed form is of, the mean with its sign; or the study's.
+std::size_t entryOfMean(const Study& study) {
+  const auto& all = study.settings.validations;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (all[k].quantity == study.measure.quantity && all[k].statisticOrDefault() == "mean")
+      return k;
+  return study.measure.entry;
 }
 
 /// The points of one kernel at each smoothing length, and the closed form through them.
 std::vector<Series> columnSeries(const Study& study, const HydrostaticColumn& column,
                                  const std::string& kernel, const std::vector<std::size_t>& rows,
-                                 std::size_t lengthAxis) {
+                                 const VariedKey& length) {
   Series measured{kernel, SeriesStyle::points, {}, false};
   Series expected{"", SeriesStyle::line, {}, false};
+  const std::size_t entry = entryOfMean(study);
   double lowest = 10, highest = 0;
   for (const std::size_t k : rows) {
     const StudyRow& row = study.rows[k];
-    const double h = lengthOf(study, row, lengthAxis);
-    measured.points.push_back({h, *row.error, labelOf(study, row)});
+    const auto& value = row.outcome.validation.at(entry).measured;
+    const double h = lengthOf(study, row, length);
+    if (!value) continue;
+    measured.points.push_back({h, std::abs(*value), labelOf(study, row)});
     lowest = std::min(lowest, h);
     highest = std::max(highest, h);
   }
@@ -124,22 +150,34 @@ std::vector<Series> columnSeries(const Study& study, const HydrostaticColumn& co
   return {measured, expected};
 }
 
+/// Keys that the closed form does not depend on.
+bool leavesClosedForm(const std::string& key) {
+  for (const char* known :
+       {"solver.kernel", "solver.smoothing_length", "spacing", "solver.precision",
+        "solver.time_step", "threads", "time_step_factor", "solver.viscosity", "solver.collisions"})
+    if (key == known) return true;
+  return false;
+}
+
 /// For a column of water at rest whose smoothing length is varied: the closed form of its error.
 std::optional<Chart> columnChart(const Study& study) {
   const auto column = HydrostaticColumn::of(study.settings);
-  const auto lengthAxis = axisOf(study, "solver.smoothing_length");
-  if (!column || !lengthAxis || study.measure.quantity != "pressure_gradient_error")
+  const VariedKey length(study, "solver.smoothing_length"), kernel(study, "solver.kernel");
+  if (!column || !length.isVaried() || study.measure.quantity != "pressure_gradient_error")
     return std::nullopt;
-  const auto kernelAxis = axisOf(study, "solver.kernel");
+  for (const Variation& axis : study.axes)
+    if (!std::ranges::all_of(axis.keys, leavesClosedForm)) return std::nullopt;
   std::map<std::string, std::vector<std::size_t>> rowsOf;
   for (const std::size_t k : study.measuredRows())
-    rowsOf[kernelOf(study, study.rows[k], kernelAxis)].push_back(k);
+    rowsOf[kernelOf(study, study.rows[k], kernel)].push_back(k);
+  if (rowsOf.empty()) return std::nullopt;
+  const std::string name = study.settings.validations[entryOfMean(study)].quantity;
   Chart chart{study.settings.title + ": measured (points) and in closed form (lines)",
               {"h/d_ref", false, {}, {}},
-              {axisLabel(study), true, {}, {}},
+              {fmt::format("|mean of {}| [{}]", name, study.unit), true, {}, {}},
               {}};
-  for (const auto& [kernel, rows] : rowsOf)
-    for (Series& series : columnSeries(study, *column, kernel, rows, *lengthAxis))
+  for (const auto& [named, rows] : rowsOf)
+    for (Series& series : columnSeries(study, *column, named, rows, length))
       chart.series.push_back(std::move(series));
   return chart;
 }
@@ -205,6 +243,8 @@ void writeAccuracy(const Study& study, const AccuracyOptions& options) {
     findings.svgs.push_back(svgOf(chart, name));
   };
   if (!study.measuredRows().empty()) add(costChart(study), "error_cost");
+  for (const char* ending : {".svg", ".png"})  // of another study in this folder
+    std::filesystem::remove(options.folder / (std::string("closed_form") + ending));
   if (const auto chart = columnChart(study)) add(*chart, "closed_form");
   const std::string how = fmt::format(
       "{} runs of {} by plenum-study {}, {} at once. Costs are seconds of plenum-sph in steps, "

@@ -80,11 +80,32 @@ std::string axisScript(const char* axis, const Axis& of, const std::vector<doubl
   return text + rangeOf(axis, of, values);
 }
 
+/// Between quotation marks in a block of data. Marks become those of print, which mean nothing to
+/// gnuplot, nor to the scripts that it puts around tool tips.
+std::string quotedInBlock(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) switch (c) {
+      case '"':
+        quoted += "\u201d";
+        break;
+      case '\'':
+        quoted += "\u2019";
+        break;
+      case '\n':
+      case '\\':
+        quoted += ' ';
+        break;
+      default:
+        quoted += c;
+    }
+  return quoted + "\"";
+}
+
 std::string block(std::size_t s, const Series& series) {
   std::string text = fmt::format("$series{} << END_OF_SERIES\n", s);
   for (const ChartPoint& point : series.points)
     text += fmt::format("{} {} {}\n", point.x, point.y,
-                        point.label.empty() ? "\" \"" : fmt::format("\"{}\"", point.label));
+                        point.label.empty() ? "\" \"" : quotedInBlock(point.label));
   return text + "END_OF_SERIES\n";
 }
 
@@ -230,7 +251,8 @@ std::string scriptOf(const HeatMap& map, bool) {
       const bool isDark = std::isfinite(value) && (value - lowest) / (highest - lowest) > 0.55;
       const std::string shown = cellText(map, r, c);
       if (!shown.empty())
-        texts += fmt::format("{} {} \"{}\" {}\n", c, r, shown, isDark ? 0xffffff : 0x222222);
+        texts +=
+            fmt::format("{} {} {} {}\n", c, r, quotedInBlock(shown), isDark ? 0xffffff : 0x222222);
     }
   const std::string boxes =
       all.empty()

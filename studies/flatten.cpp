@@ -95,7 +95,7 @@ std::optional<LeaveOut> flattened(const CaseNode& root) {
     return std::nullopt;
   const std::string& name = axis->asString();
   return LeaveOut{"the third dimension, along " + name,
-                  Flattener(root, static_cast<std::size_t>(name.at(0) - 'x')).done()};
+                  Flattener(root, static_cast<std::size_t>(name.at(0) - 'x')).done(), true};
 }
 
 }  // namespace plenum::study

@@ -65,7 +65,7 @@ std::vector<LeaveOut> leaveOutsOf(const CaseNode& root) {
   const std::size_t nFluids = fluids != nullptr && fluids->isArray() ? fluids->asArray().size() : 0;
   for (std::size_t k = nFluids; k-- > 1;) {
     const std::string name = nameOfFluid(fluids->asArray()[k], k);
-    LeaveOut without{"the fluid " + name, root};
+    LeaveOut without{"the fluid " + name, root, true};
     without.root.remove(fmt::format("fluid[{}]", k));
     removeMeasuresOf(name, without.root);
     removePictureOfMaterials(without.root);
@@ -74,7 +74,7 @@ std::vector<LeaveOut> leaveOutsOf(const CaseNode& root) {
   const CaseNode* solver = root.find("solver");
   for (const auto& [key, what] : optionalTerms) {
     if (solver == nullptr || solver->find(key) == nullptr) continue;
-    LeaveOut without{what, root};
+    LeaveOut without{what, root, false};
     without.root.remove(std::string("solver.") + key);
     all.push_back(std::move(without));
   }

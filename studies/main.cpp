@@ -5,6 +5,10 @@
 #include "particles/version.hpp"
 #include "studies/commands.hpp"
 
+#include <unistd.h>
+
+#include <csignal>
+
 namespace plenum::study {
 
 namespace {
@@ -37,7 +41,18 @@ void requireMap(const CLI::App& stability) {
                   fmt::join(names, ", ")));
 }
 
+/// Runs end with the study; finished ones are kept.
+extern "C" void sayHowToGoOn(int signal) {
+  constexpr char text[] =
+      "\nplenum-study: interrupted; begin it again with the same folder, and it goes on from "
+      "here\n";
+  if (write(STDERR_FILENO, text, sizeof text - 1) < 0) _exit(128 + signal);
+  _exit(128 + signal);
+}
+
 int main(int argc, char** argv) {
+  std::signal(SIGINT, sayHowToGoOn);
+  std::signal(SIGTERM, sayHowToGoOn);
   CLI::App app{"plenum-study: charts speed against accuracy, and where methods fail"};
   app.footer(examples);
   app.set_version_flag("--version", fmt::format("plenum-study {}", version));

@@ -20,6 +20,9 @@ struct MinimalLine {
 int run(MinimalLine& line) {
   AccuracyOptions& options = line.options;
   if (options.folder.empty()) options.folder = options.caseFile.stem().string() + "_minimal";
+  const std::filesystem::path file =
+      options.folder / (options.caseFile.stem().string() + "_minimal.toml");
+  std::filesystem::remove(file);  // of an earlier search
   const Minimal minimal = findMinimal(options, line.error);
   writeTextFile(options.folder / "tried.csv", csvOf(minimal.tried));
   if (!options.quiet) std::cout << tableOf(minimal.tried);
@@ -30,8 +33,6 @@ int run(MinimalLine& line) {
       fmt::format("{} as far as it is needed for an error of {:g} in {}: {:g}",
                   options.caseFile.filename().string(), line.error, minimal.tried.measure.name(),
                   *minimal.error));
-  const std::filesystem::path file =
-      options.folder / (options.caseFile.stem().string() + "_minimal.toml");
   writeTextFile(file, text);
   if (!options.quiet) std::cout << "\n" << text << "\n";
   std::cout << fmt::format("case: {}\n", file.string());
@@ -49,7 +50,8 @@ Examples:
   plenum-study minimal cases/sod.toml --error 0.02 --vary kernel=cubic_spline,wendland_c2 \
     --vary spacing=0.04,0.02,0.01
 
-Without --vary: five kernels, h = 1.3, 1.5, 2, and 4, 2 and 1 times the case's spacing.
+Without --vary: five kernels, h = 1.3, 1.5, 2, and 4, 2 and 1 times the case's spacing, as far as
+the case can have them.
 Settings are tried by rising cost; an interrupted search goes on where it stopped.)");
   const auto line = std::make_shared<MinimalLine>();
   AccuracyOptions& options = line->options;

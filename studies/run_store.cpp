@@ -61,7 +61,7 @@ std::string reasonOf(const ProcessEnd& end) {
 /// Whether a program ended for what no setting is to blame for: a full disk, a file that cannot be
 /// written, a program that is not there.
 bool isOfTheMachine(const ProcessEnd& end) {
-  return end.exitCode == 127 || end.exitCode == 126 ||
+  return end.exitCode == 127 || end.exitCode == 126 || end.signal == SIGXFSZ ||
          end.errors.find("cannot be written") != std::string::npos ||
          end.errors.find("cannot be made") != std::string::npos;
 }
@@ -102,6 +102,13 @@ fs::path RunStore::folderOf(const RunRequest& request) const {
   if (request.repeat > 0) key.add(fmt::format("again {}", request.repeat));
   key.add(programs_.fingerprint);
   return folder_ / key.text();
+}
+
+std::string RunStore::refusalOf(const RunRequest& request) {
+  const CheckReport report = checkCase(request.caseFile, request.settings, request.quick);
+  for (const Finding& finding : report.findings.all())
+    if (finding.severity == Severity::error) return finding.text();
+  return "";
 }
 
 void RunStore::requireUsable(const std::vector<RunRequest>& requests) {

@@ -38,7 +38,9 @@ class RunStore {
   /// One request, `nTimes` times, one after the other.
   std::vector<RunOutcome> repeated(RunRequest request, int nTimes, const std::string& label);
 
-  /// Throws InputError that lists every request whose case plenum-ic would refuse.
+  /// Why plenum-ic would refuse a request's case, the first reason; empty: it would not.
+  static std::string refusalOf(const RunRequest& request);
+  /// Throws InputError that lists every request whose case it would not.
   static void requireUsable(const std::vector<RunRequest>& requests);
 
  private:

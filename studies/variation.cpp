@@ -164,7 +164,8 @@ Variation Variation::parse(const std::string& text, const std::filesystem::path&
 
 namespace {
 
-void requireDistinctKeys(const std::vector<Variation>& axes) {
+void requireDistinctKeys(const std::vector<Variation>& axes,
+                         const std::vector<std::string>& settings) {
   std::vector<std::string> known;
   for (const Variation& axis : axes)
     for (const std::string& key : axis.keys) {
@@ -173,6 +174,8 @@ void requireDistinctKeys(const std::vector<Variation>& axes) {
             fmt::format("--vary: {} is varied twice; write all its values behind one "
                         "--vary, with commas between",
                         key));
+      if (names(settings, key + "="))
+        throw InputError(fmt::format("--vary: {} is given by --set, too; name it in one", key));
       known.push_back(key);
     }
 }
@@ -180,7 +183,7 @@ void requireDistinctKeys(const std::vector<Variation>& axes) {
 }  // namespace
 
 std::vector<Combination> gridOf(const std::vector<Variation>& axes, const RunRequest& base) {
-  requireDistinctKeys(axes);
+  requireDistinctKeys(axes, base.settings);
   std::vector<Combination> grid;
   std::vector<std::size_t> at(axes.size(), 0);
   for (;;) {

@@ -119,26 +119,52 @@ class Studies(Programs):
         self.assertEqual(fine["failure"], "")
         self.assertIn("1 of 2 runs failed", out)
 
-    def test_a_run_that_the_system_kills_does_not_end_the_study(self):
+    def programs(self, first):
+        """A folder of programs whose plenum-sph does `first`, a line of the shell, the first time."""
         os.mkdir(self.path("programs"))
         os.symlink(os.path.abspath(IC), self.path("programs", "plenum-ic"))
-        with open(self.path("programs", "plenum-sph"), "w") as script:  # the first run is killed
+        with open(self.path("programs", "plenum-sph"), "w") as script:
             script.write(f"#!/bin/sh\n"
-                         f"if mkdir '{self.path('killed')}' 2> /dev/null; then kill -9 $$; fi\n"
+                         f"if mkdir '{self.path('first')}' 2> /dev/null; then {first}; fi\n"
                          f"exec '{os.path.abspath(SPH)}' \"$@\"\n")
         os.chmod(self.path("programs", "plenum-sph"), 0o755)
-        command = self.accuracy("--vary", "h=1.2,1.3", "--programs", self.path("programs"))
+        return ("--programs", self.path("programs"))
+
+    def test_a_run_that_the_system_kills_does_not_end_the_study(self):
+        command = self.accuracy("--vary", "h=1.2,1.3", *self.programs("kill -9 $$"))
         self.assertIn("1 of 2 runs failed", self.ok(*command))
         self.assertIn("likely out of memory", self.rows()[0]["failure"])
         self.assertEqual(self.rows()[1]["failure"], "")
         self.ok(*command)  # it has another chance
         self.assertEqual([row["failure"] for row in self.rows()], ["", ""])
 
+    def test_a_full_disk_is_no_result(self):
+        full = "echo 'plenum-sph: run_end.hdf: cannot be written: No space left on device' >&2; exit 2"
+        command = self.accuracy("--vary", "h=1.2,1.3", *self.programs(full))
+        code, _, err = self.start(*command)
+        self.assertEqual(code, 2)
+        self.assertIn("No space left on device; the study goes on from here", err)
+        self.assertEqual(self.outcomes(), [])
+        self.ok(*command)
+        self.assertEqual([row["failure"] for row in self.rows()], ["", ""])
+
+    def test_a_case_that_changes_during_a_study_makes_no_results(self):
+        shutil.copy(TANK, self.path("tank.toml"))
+        change = f"sed -i 's/^sound_speed.*/sound_speed = 25.0/' '{self.path('tank.toml')}'"
+        command = (STUDY, "accuracy", "tank.toml", "--quick", "-o", "study", "--vary", "h=1.2,1.3",
+                   *self.programs(change))
+        code, _, err = self.start(*command)
+        self.assertEqual(code, 2)
+        self.assertIn("tank.toml: the case, or a program, has changed since the study began", err)
+        self.assertEqual(self.outcomes(), [])
+        self.ok(*command)
+        self.assertEqual(len(self.outcomes()), 2)
+
     def test_what_cannot_be_used_is_refused_before_anything_runs(self):
         for options, expected in (
                 (("--vary", "kernl=convex"), "did you mean kernel?"),
                 (("--vary", "h=1.5", "--quantity", "max_speed"), "pressure_gradient_error:mean_abs"),
-                (("--vary", "h"), "key=value"),
+                (("--vary", "h"), "KEY=VALUE"),
                 (("--vary", "threads=1,100000"), "of this machine"),
                 (("--vary", "h=1.5", "--compare", "h=1.5", "h=9"), "h=9 is none of 1.5"),
                 (("--vary", "h=1.5", "--programs", "/nowhere"), "--programs")):

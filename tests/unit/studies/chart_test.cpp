@@ -46,6 +46,14 @@ std::string svgWithCosts(double lowest, double highest) {
   return svgOf(chart, "one");
 }
 
+TEST(Charts, ShowMarksInLabels) {
+  Chart chart = someChart();
+  chart.series[0].points[0].label = "Bob's \"best\" \\ one";
+  const std::string svg = svgOf(chart, "one");
+  EXPECT_THAT(svg, HasSubstr("<title>Bob\u2019s \u201dbest\u201d   one</title>"));
+  EXPECT_THAT(svg, Not(HasSubstr("onmousemove")));
+}
+
 TEST(Charts, HaveRoundNumbersOnTheirAxes) {
   for (const char* number : {">0.1<", ">0.2<", ">0.5<", ">1<"})
     EXPECT_THAT(svgWithCosts(0.08, 1.2), HasSubstr(number));

@@ -128,6 +128,12 @@ TEST(Grid, MultipliesTheStepThatTheCaseHas) {
               ElementsAre(testing::StartsWith("solver.cfl=")));
 }
 
+TEST(Grid, RefusesWhatIsSetAndVaried) {
+  EXPECT_THROW(gridOf({Variation::parse("h=1.5,2", tank)},
+                      {tank, {"solver.smoothing_length=1.8"}, 1, false}),
+               InputError);
+}
+
 TEST(Grid, HasThreadsThatAreNoSettings) {
   if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one core";
   const auto grid = gridOf({Variation::parse("threads=1,2", tank)}, {tank, {}, 1, false});
