@@ -66,6 +66,13 @@ std::vector<std::string> sentencesOf(const Study& study, const AccuracyOptions& 
     sentences.push_back(comparisonOf(study, one, other));
   const auto nFailed = std::ranges::count_if(
       study.rows, [](const StudyRow& row) { return row.outcome.hasFailed(); });
+  const auto nWithout = std::ranges::count_if(
+      study.rows, [](const StudyRow& row) { return !row.outcome.hasFailed() && !row.error; });
+  if (nWithout > 0)
+    sentences.push_back(
+        fmt::format("{} of {} runs ended without a value of {}: was it over before "
+                    "the time that [[validate]] names?",
+                    nWithout, study.rows.size(), study.measure.name()));
   if (nFailed > 0)
     sentences.push_back(fmt::format("{} of {} runs failed; results.csv has their reasons.", nFailed,
                                     study.rows.size()));

@@ -35,7 +35,7 @@ class CheapestSearch {
   }
 
  private:
-  /// What its run would cost, by the runs of its family, or by all.
+  /// Whether its run would cost more than the best found, by the least cost a unit of work so far.
   bool isTooDear(std::size_t k) const {
     if (!search_.found) return false;
     return candidates_[k].work * costOfWork_ > margin * results_[*search_.found]->cost;

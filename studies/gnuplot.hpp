@@ -5,8 +5,8 @@
 
 namespace plenum::study {
 
-/// What gnuplot writes to stdout for a script. Throws RunError if it is not installed, or with what
-/// it says if it refuses.
+/// What gnuplot draws by a script: the bytes of its output file. Throws RunError if it is not
+/// installed, or with what it says if it refuses.
 std::string gnuplot(const std::string& script);
 
 /// A text in quotation marks, as gnuplot reads it back.

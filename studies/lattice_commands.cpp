@@ -2,6 +2,7 @@
 #include "ictools/lattice.hpp"
 #include "particles/atomic_file.hpp"
 #include "particles/command_line.hpp"
+#include "particles/progress.hpp"
 #include "studies/commands.hpp"
 #include "studies/list_option.hpp"
 #include "studies/mode_growth.hpp"
@@ -69,13 +70,19 @@ int runModes(const LatticeOptions& options) {
 template <int Dim>
 std::vector<MeasuredMode> measuredModes(const LatticeOptions& options) {
   std::vector<MeasuredMode> all;
+  Progress progress(
+      "growth", static_cast<double>(options.kernels.size() * options.backgroundPressures.size() *
+                                    options.smoothingLengths.size()));
+  double nDone = 0;
   for (const std::string& kernel : options.kernels)
     for (const double pressure : options.backgroundPressures)
       for (const double h : options.smoothingLengths) {
         const LatticeState state{options.lattice, KernelId::named(kernel), h, pressure};
         const int nCells = std::max(Dim == 2 ? 8 : 4, static_cast<int>(std::ceil(4 * h)) + 1);
         std::ranges::move(measureExtremes<Dim>(state, nCells), std::back_inserter(all));
+        progress.update(++nDone, fmt::format("{}, h = {:g} d_ref", kernel, h));
       }
+  progress.finish();
   return all;
 }
 

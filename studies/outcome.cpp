@@ -147,7 +147,6 @@ std::optional<RunOutcome> keptOutcome(const std::filesystem::path& folder) {
     outcome.wallParticles = json.at("wall_particles");
     outcome.cost = costIn(json.at("cost"));
     outcome.folder = folder;
-    outcome.isReused = true;
     return outcome;
   } catch (const Json::exception&) {
     return std::nullopt;  // of another version, or damaged: the run is made again

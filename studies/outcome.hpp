@@ -29,7 +29,6 @@ struct RunCost {
 
 /// What a run came to. A run that failed is a result, too.
 struct RunOutcome {
-  bool isReused = false;                  ///< was there before this study asked
   std::string failure;                    ///< why it ended early, one line; empty: it did not
   std::optional<double> failureTime;      ///< in the run's own time [s]
   std::map<std::string, double> figures;  ///< of the last state, as in summary.json

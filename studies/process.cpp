@@ -83,7 +83,7 @@ class InstructionCounter {
   int file_ = -1;
 };
 
-/// In the new process, where other threads' locks may be held: system calls only.
+/// In the new process, where other threads' locks may be held: nothing that takes one.
 [[noreturn]] void become(char* const* command, pid_t parent, int start, int errors) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);

@@ -62,8 +62,8 @@ std::vector<std::string> adviceOf(const Study& study, std::vector<double> errors
 
 /// Which of two settings, each given as values "kernel=convex" of axes, is cheaper at equal error.
 /// Each stands for the row that has its values; it is compared with what the other costs at its
-/// error, between that other's rows along the axes that are given for both. Throws InputError for
-/// values that are not in the study.
+/// error, between that other's rows along the numeric axes that are given for it. Throws InputError
+/// for values that are not in the study.
 std::string comparisonOf(const Study& study, const std::string& one, const std::string& other);
 /// Throws that InputError.
 void requireComparable(const Study& study, const std::string& one, const std::string& other);

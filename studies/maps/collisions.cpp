@@ -9,20 +9,24 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace plenum::study {
 
 namespace {
 
-/// The range at which the least distance is largest, for each restitution.
+/// The range at which the least distance is largest, for each restitution, of those at which no
+/// seed failed.
 void addRemarks(const Grid& grid, Map& map) {
   for (std::size_t r = 0; r < grid.plan.rows.values.size(); ++r) {
     std::size_t best = 0;
     const auto nearestAt = [&](std::size_t c) {
-      return grid.at(r, c, lastFigure("nn_min"), OfSeeds::mean);
+      return grid.hasFailures(r, c) ? std::numeric_limits<double>::quiet_NaN()
+                                    : grid.at(r, c, lastFigure("nn_min"));
     };
     for (std::size_t c = 0; c < grid.plan.columns.values.size(); ++c)
       if (std::isnan(nearestAt(best)) || nearestAt(c) > nearestAt(best)) best = c;
+    if (std::isnan(nearestAt(best))) continue;  // all failed
     map.remarks.push_back(fmt::format(
         "C_R {}: particles stay furthest apart at delta_c = {} d_ref "
         "(least nn {:.2f})",

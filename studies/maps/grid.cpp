@@ -50,19 +50,23 @@ Figure lastFigure(const std::string& name) {
   };
 }
 
-double Grid::at(std::size_t row, std::size_t column, const Figure& figure, OfSeeds how) const {
-  std::vector<double> values;
-  for (const RunOutcome& outcome : outcomes[row][column])
-    if (const double value = figure(outcome); !std::isnan(value)) values.push_back(value);
-  if (values.empty()) return nothing;
-  if (how == OfSeeds::least) return *std::ranges::min_element(values);
+double Grid::at(std::size_t row, std::size_t column, const Figure& figure) const {
   double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
+  int n = 0;
+  for (const RunOutcome& outcome : outcomes[row][column])
+    if (const double value = figure(outcome); !std::isnan(value)) {
+      sum += value;
+      ++n;
+    }
+  return n == 0 ? nothing : sum / n;
 }
 
-HeatMap Grid::chart(const std::string& title, const std::string& valueLabel, const Figure& figure,
-                    OfSeeds how) const {
+bool Grid::hasFailures(std::size_t row, std::size_t column) const {
+  return std::ranges::any_of(outcomes[row][column], &RunOutcome::hasFailed);
+}
+
+HeatMap Grid::chart(const std::string& title, const std::string& valueLabel,
+                    const Figure& figure) const {
   HeatMap map{title, plan.rows.name, plan.columns.name, valueLabel, {}, {}, {}, {}, {}, {}};
   for (const GridValue& column : plan.columns.values) map.columns.push_back(column.text);
   for (std::size_t r = 0; r < plan.rows.values.size(); ++r) {
@@ -70,7 +74,7 @@ HeatMap Grid::chart(const std::string& title, const std::string& valueLabel, con
     map.values.emplace_back();
     map.texts.emplace_back();
     for (std::size_t c = 0; c < plan.columns.values.size(); ++c) {
-      map.values[r].push_back(at(r, c, figure, how));
+      map.values[r].push_back(at(r, c, figure));
       map.texts[r].push_back(textOfCell(outcomes[r][c], map.values[r][c]));
     }
   }

@@ -34,7 +34,7 @@ struct GridPlan {
   std::filesystem::path caseFile;
   std::vector<std::string> settings;  ///< of all runs
   GridAxis rows, columns;
-  int seeds = 1;           ///< of fluid[0].seed, from 1; one: as the case has it
+  int seeds = 1;           ///< of fluid[0].seed, from 1 on
   bool variesSeed = true;  ///< false where nothing is random
   std::string label;       ///< of the progress
 };
@@ -44,20 +44,18 @@ using Figure = std::function<double(const RunOutcome&)>;
 /// A figure of the last state by its name in summary.json; NaN for runs that failed.
 Figure lastFigure(const std::string& name);
 
-/// How the seeds of a cell become one number. Seeds without a number do not count.
-enum class OfSeeds { mean, least };
-
 struct Grid {
   GridPlan plan;
   std::vector<std::vector<std::vector<RunOutcome>>> outcomes;  ///< [row][column][seed]
 
-  /// A figure of a cell, over its seeds; NaN if no seed has it.
-  double at(std::size_t row, std::size_t column, const Figure& figure, OfSeeds how) const;
+  /// A figure of a cell, the mean of those seeds that have it; NaN if none has.
+  double at(std::size_t row, std::size_t column, const Figure& figure) const;
+  bool hasFailures(std::size_t row, std::size_t column) const;  ///< of any seed
 
   /// The figure as a chart; cells in which a seed failed have a "!" behind the number, or the time
   /// at which the first one did.
-  HeatMap chart(const std::string& title, const std::string& valueLabel, const Figure& figure,
-                OfSeeds how = OfSeeds::mean) const;
+  HeatMap chart(const std::string& title, const std::string& valueLabel,
+                const Figure& figure) const;
 
   /// A column of history.csv over time, for the first seed of each row in the grid's last column.
   Chart overTime(const std::string& title, const std::string& column,

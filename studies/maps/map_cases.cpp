@@ -19,7 +19,7 @@ fs::path writeMapCase(const fs::path& folder, const std::string& name) {
     writeTextFile(file, known.text);
     return file;
   }
-  throw std::logic_error("no case " + name + " in studies/maps/CMakeLists.txt");
+  throw std::logic_error("no case " + name + " in studies/maps/case_texts.cmake");
 }
 
 Scales scalesOf(const fs::path& caseFile, bool quick) {

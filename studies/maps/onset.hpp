@@ -7,10 +7,9 @@
 
 namespace plenum::study {
 
-/// Particles count as paired from this share on. Where nothing pairs the share is 0, but for
-/// kernels with a steep tip (schuessler_schmitt: .02 to .03 at any smoothing length, a few near
-/// neighbours that do not become more), and where pairing sets in it jumps to some percent and more
-/// at once.
+/// Particles count as paired from this share on. Where nothing pairs the share is 0, and where
+/// pairing sets in it jumps to some percent and more at once. Kernels with a steep tip lie across
+/// the line: schuessler_schmitt has 0 to .1 at any smoothing length, in no order.
 inline constexpr double pairedShare = 0.03;
 
 /// A range of places [from, to] of an axis in which all shares are above pairedShare; `before` and

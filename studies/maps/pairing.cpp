@@ -100,8 +100,7 @@ void addOnsets(const Grid& grid, const Figure& paired, Map& map) {
   for (const GridValue& column : grid.plan.columns.values) places.push_back(std::stod(column.text));
   for (std::size_t r = 0; r < grid.plan.rows.values.size(); ++r) {
     std::vector<double> shares;
-    for (std::size_t c = 0; c < places.size(); ++c)
-      shares.push_back(grid.at(r, c, paired, OfSeeds::mean));
+    for (std::size_t c = 0; c < places.size(); ++c) shares.push_back(grid.at(r, c, paired));
     map.remarks.push_back(fmt::format("{}: {}", grid.plan.rows.values[r].text,
                                       onsetSentence(places, shares, grid.plan.columns.name)));
   }

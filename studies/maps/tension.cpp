@@ -53,7 +53,7 @@ void addRemarks(const Grid& grid, Map& map) {
   for (std::size_t c = 0; c < plan.columns.values.size(); ++c) {
     std::optional<std::size_t> first;  // row: pressures fall
     for (std::size_t r = 0; r < plan.rows.values.size() && !first; ++r) {
-      const double share = grid.at(r, c, lastFigure("f.5"), OfSeeds::mean);
+      const double share = grid.at(r, c, lastFigure("f.5"));
       if (std::isnan(share) || share > pairedShare) first = r;
     }
     std::string remark = fmt::format("h/d_ref {}: ", plan.columns.values[c].text);

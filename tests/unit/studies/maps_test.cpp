@@ -57,10 +57,9 @@ Bisection searched(double limit) {
 TEST(MapGrid, SeedsBecomeOneNumberAndFailuresDoNotCount) {
   const Grid grid = smallGrid();
   const Figure share = lastFigure("f.5");
-  EXPECT_EQ(grid.at(0, 0, share, OfSeeds::mean), .5);  // of binary fractions: exact
-  EXPECT_EQ(grid.at(0, 0, share, OfSeeds::least), .25);
-  EXPECT_EQ(grid.at(0, 1, share, OfSeeds::mean), .5);
-  EXPECT_TRUE(std::isnan(grid.at(0, 0, lastFigure("psi6"), OfSeeds::mean)));
+  EXPECT_EQ(grid.at(0, 0, share), .5);  // of binary fractions: exact
+  EXPECT_EQ(grid.at(0, 1, share), .5);
+  EXPECT_TRUE(std::isnan(grid.at(0, 0, lastFigure("psi6"))));
 }
 
 TEST(MapGrid, ChartMarksCellsThatFailed) {
@@ -87,7 +86,7 @@ TEST(MapGrid, TableHasARowForEachRun) {
 TEST(MapFiles, TextAlignsColumns) {
   HeatMap map{"Title", "k", "h", "f", {"convex", "c"}, {"1", "2.5"}, {{.5, 0}, {1, NAN}},
               {},      {},  {}};
-  EXPECT_EQ(textOf(map), "Title\nk \\ h     1  2.5\nconvex  0.5    0\nc         1    -\n");
+  EXPECT_EQ(textOf(map), "Title: f\nk \\ h     1  2.5\nconvex  0.5    0\nc         1    -\n");
 }
 
 TEST(Onset, FindsRangesAndSaysThem) {

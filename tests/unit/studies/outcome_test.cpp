@@ -27,7 +27,6 @@ TEST(Outcome, IsKeptWithAllItsBits) {
   keepOutcome(outcome);
   const auto kept = keptOutcome(folder.path());
   ASSERT_TRUE(kept);
-  EXPECT_TRUE(kept->isReused);
   EXPECT_TRUE(kept->hasFailed());
   EXPECT_EQ(kept->failureTime, outcome.failureTime);
   EXPECT_EQ(kept->figure("f.5"), 1.0 / 3);
