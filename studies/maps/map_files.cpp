@@ -49,7 +49,7 @@ std::string textOf(const HeatMap& map) {
   std::size_t first = corner.size();
   for (const std::string& row : map.rows) first = std::max(first, row.size());
   std::vector<std::size_t> widths;
-  std::string text = fmt::format("{}: {}\n{:{}}", map.title, map.valueLabel, corner, first);
+  std::string text = fmt::format("{} ({})\n{:{}}", map.title, map.valueLabel, corner, first);
   for (std::size_t c = 0; c < map.columns.size(); ++c) {
     std::size_t width = map.columns[c].size();
     for (std::size_t r = 0; r < map.rows.size(); ++r)

@@ -41,6 +41,19 @@ TEST(Advice, NamesTheCheapestAndWhatMoreBuys) {
             "d_ref.");
 }
 
+// The front of charts leaves out what is less than a hundredth better than something cheaper.
+TEST(Advice, KnowsSettingsThatChartsLeaveOut) {
+  Study study = someStudy();
+  study.rows.resize(3);
+  const double costs[] = {1, 1.1, 10}, errors[] = {1.005, 0.999, 0.5};
+  for (std::size_t k = 0; k < 3; ++k) {
+    study.rows[k].outcome.cost.stepCpuSeconds = costs[k];
+    study.rows[k].error = errors[k];
+  }
+  EXPECT_EQ(study.front().size(), 2u);
+  EXPECT_THAT(adviceOf(study, {1}).at(0), HasSubstr("0.999 %, 1.1 s"));
+}
+
 TEST(Advice, ChoosesARoundErrorThatIsReached) {
   EXPECT_THAT(adviceOf(someStudy(), {}).at(0), HasSubstr("within 1 %"));
 }

@@ -86,7 +86,7 @@ TEST(MapGrid, TableHasARowForEachRun) {
 TEST(MapFiles, TextAlignsColumns) {
   HeatMap map{"Title", "k", "h", "f", {"convex", "c"}, {"1", "2.5"}, {{.5, 0}, {1, NAN}},
               {},      {},  {}};
-  EXPECT_EQ(textOf(map), "Title: f\nk \\ h     1  2.5\nconvex  0.5    0\nc         1    -\n");
+  EXPECT_EQ(textOf(map), "Title (f)\nk \\ h     1  2.5\nconvex  0.5    0\nc         1    -\n");
 }
 
 TEST(Onset, FindsRangesAndSaysThem) {
