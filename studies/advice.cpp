@@ -22,19 +22,20 @@ double errorInTheMiddle(const Study& study, const std::vector<std::size_t>& fron
   return rounded >= best ? rounded : middle;
 }
 
-/// What paying more than for the place `at` of the front buys: the first row that costs twice as
-/// much or more, or the last one.
-std::string whatMoreBuys(const Study& study, const std::vector<std::size_t>& front,
-                         std::size_t at) {
-  if (at + 1 == front.size()) return "no dearer setting of this study is more accurate";
-  const StudyRow& here = study.rows[front[at]];
-  std::size_t next = at + 1;
-  while (next + 1 < front.size() && study.costOf(study.rows[front[next]]) < 2 * study.costOf(here))
-    ++next;
-  const StudyRow& more = study.rows[front[next]];
+/// What paying more than for a row buys, on the front that charts show: the first place that costs
+/// twice as much or more, or the last one.
+std::string whatMoreBuys(const Study& study, const StudyRow& here) {
+  const StudyRow* more = nullptr;
+  for (const std::size_t k : study.front()) {
+    const StudyRow& row = study.rows[k];
+    if (*row.error >= 0.99 * *here.error) continue;
+    more = &row;
+    if (study.costOf(row) >= 2 * study.costOf(here)) break;
+  }
+  if (more == nullptr) return "no dearer setting of this study is more accurate";
   return fmt::format("paying {:.2g} times as much buys {} ({}, {:.3g} s)",
-                     study.costOf(more) / study.costOf(here), study.printed(*more.error), more.name,
-                     study.costOf(more));
+                     study.costOf(*more) / study.costOf(here), study.printed(*more->error),
+                     more->name, study.costOf(*more));
 }
 
 /// A setting of a comparison: the value of each axis that it names.
@@ -128,8 +129,7 @@ std::vector<std::string> adviceOf(const Study& study, std::vector<double> errors
         fmt::format("The cheapest setting {}{}: {}: {}, {:.3g} s; {}.",
                     error > 0 ? "within " + study.printed(error) : "without any error",
                     isChosen ? " (--within asks for other errors)" : "", row.name,
-                    study.printed(*row.error), study.costOf(row),
-                    whatMoreBuys(study, front, static_cast<std::size_t>(found - front.begin()))));
+                    study.printed(*row.error), study.costOf(row), whatMoreBuys(study, row)));
   }
   return sentences;
 }
