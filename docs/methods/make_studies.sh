@@ -10,7 +10,7 @@ collisions='collisions=case,{restitution=0.01,range=0.85}'
 "$study" accuracy "$cases/gas_box.toml" --against-case --quantity psi6 -o "$kept/gas_box" -q \
   --vary kernel=cubic_spline,wendland_c2_1d,convex --vary "$collisions" --repeats 2
 "$study" accuracy "$cases/rotating_shaft.toml" --against-case --quantity f.5 -o "$kept/shaft" -q \
-  --vary kernel=wendland_quadratic,wendland_c2_1d,convex --vary "$collisions" --repeats 2
+  --vary kernel=wendland_quadratic,wendland_c2_1d,convex --vary "$collisions" --repeats 5
 
 # What finer spacing buys.
 "$study" accuracy "$cases/sod.toml" -o "$kept/sod" -q --within 0.02 --repeats 2 \
